@@ -1,0 +1,179 @@
+# meshgrade: `make help` lists what can be made.
+#
+# No recursion, no lists of files: a source is found by where it stands, so adding an exercise edits
+# nothing here. Objects go to build/$(config)/, programs also to build/.
+
+config ?= release
+BUILD := build/$(config)
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DELETE_ON_ERROR:
+.SECONDARY:
+.DEFAULT_GOAL := all
+
+# ---------------------------------------------------------------- packages
+CORE_PACKAGES := gcc libc6-dev make binutils pkg-config libjansson-dev libsqlite3-dev libarchive-dev \
+  libseccomp-dev valgrind
+PICTURE_PACKAGES := g++ libvtk9-dev libopenimageio-dev libegl-dev libegl1 libgl1-mesa-dri fonts-open-sans \
+  libjs-three
+TEST_PACKAGES := libcmocka-dev perl chromium zip unzip python3-minimal
+LINT_PACKAGES := clang-format clang-tidy cppcheck
+FUZZ_PACKAGES := clang libclang-rt-14-dev
+
+PACKAGES := $(CORE_PACKAGES) $(PICTURE_PACKAGES)
+ifneq ($(filter test unit validate stability,$(MAKECMDGOALS)),)
+PACKAGES += $(TEST_PACKAGES)
+endif
+ifneq ($(filter lint format,$(MAKECMDGOALS)),)
+PACKAGES += $(TEST_PACKAGES) $(LINT_PACKAGES)
+endif
+ifneq ($(filter fuzz,$(MAKECMDGOALS)),)
+PACKAGES += $(TEST_PACKAGES) $(FUZZ_PACKAGES)
+endif
+SELF_PREPARING := deps demo test unit validate lint format fuzz stability bench-grader
+
+# These goals install what they lack. Make includes build/deps.mk, finds that it must be made, makes
+# it (the installation) and starts itself anew with the packages in place.
+ifneq ($(filter $(SELF_PREPARING),$(MAKECMDGOALS)),)
+installed = $(shell dpkg-query -W -f '$${db:Status-Status} $${Package}\n' $(1) 2>/dev/null | sed -n 's/^installed //p')
+MISSING := $(filter-out $(call installed,$(PACKAGES)),$(PACKAGES))
+ifneq ($(strip $(MISSING)),)
+include build/deps.mk
+build/deps.mk: force
+	@echo "meshgrade: installing Debian packages: $(MISSING)" >&2
+	@root=; if [ "$$(id -u)" != 0 ]; then root=sudo; command -v sudo >/dev/null || \
+	  { echo "meshgrade: not root and no sudo; run as root: apt-get install $(MISSING)" >&2; exit 1; }; fi; \
+	$$root apt-get update -q >/dev/null && \
+	DEBIAN_FRONTEND=noninteractive $$root apt-get install -y -q --no-install-recommends $(MISSING) >/dev/null
+	@mkdir -p build && touch $@
+endif
+endif
+force:
+.PHONY: force
+
+# ---------------------------------------------------------------- flags
+WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wundef \
+  -Wformat=2 -Wcast-qual -Wwrite-strings -Wdouble-promotion -Wconversion -Wno-sign-conversion
+MODE_release := -O2 -g
+MODE_debug := -O0 -g3
+MODE_asan := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+MODE_coverage := -O0 -g --coverage
+MODE := $(MODE_$(config))
+ifeq ($(MODE),)
+$(error config=$(config): choose release, debug, asan or coverage)
+endif
+LIBRARIES := jansson sqlite3 libarchive libseccomp
+CFLAGS := -std=c17 -D_GNU_SOURCE -I. $(MODE) $(WARNINGS) $(shell pkg-config --cflags $(LIBRARIES) 2>/dev/null)
+LDLIBS := $(shell pkg-config --libs $(LIBRARIES) 2>/dev/null) -lm
+DEPENDENCIES = -MMD -MP
+
+# ---------------------------------------------------------------- the programs
+LIBRARY_SOURCES := $(wildcard reference/mesh/*.c reference/formats/*.c bench/measure/*.c graders/box/*.c \
+  graders/engine/*.c graders/judges/*.c graders/judges/*/*.c graders/report/*.c) graders/runner/packet.c
+LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/judge-table.o
+JUDGES := $(patsubst %.c,%,$(notdir $(wildcard graders/judges/*/*.c)))
+CALLS := $(wildcard graders/runner/*/*.c)
+RUNNERS := $(foreach c,$(CALLS),$(foreach f,plain sanitized,build/runner/$(basename $(notdir $(c))).$(f).o))
+
+all: build/meshgrade build/meshgrade-render ## build the programs
+
+build/meshgrade: $(BUILD)/meshgrade $(RUNNERS)
+	@ln -sf $(config)/meshgrade $@
+
+$(BUILD)/meshgrade: $(BUILD)/graders/meshgrade.o $(BUILD)/libmeshgrade.a
+	$(CC) $(MODE) $^ -o $@ $(LDLIBS)
+
+$(BUILD)/libmeshgrade.a: $(LIBRARY_OBJECTS)
+	@rm -f $@
+	@ar crs $@ $^
+
+$(BUILD)/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(DEPENDENCIES) -c $< -o $@
+
+$(BUILD)/%.o: $(BUILD)/%.c
+	$(CC) $(CFLAGS) $(DEPENDENCIES) -c $< -o $@
+
+# The table of judges, by name, for graders/judges/table.h.
+$(BUILD)/judge-table.c: $(wildcard graders/judges/*) $(wildcard graders/judges/*/*.c) Makefile
+	@mkdir -p $(@D)
+	@{ echo '#include "graders/judges/table.h"'; \
+	  for j in $(subst -,_,$(JUDGES)); do echo "extern const struct judge judge_$$j;"; done; \
+	  echo 'const struct judge *const judge_table[] = {'; \
+	  for j in $(subst -,_,$(JUDGES)); do echo "    &judge_$$j,"; done; \
+	  echo '    NULL};'; } >$@
+
+# ---------------------------------------------------------------- the runner
+# One relocatable object an exercise, with every name local but main and the allocation shim, so that
+# a submission can neither call into it nor replace parts of it. Always optimised: it is the same in
+# every configuration.
+RUNNER_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O2 -g -fno-sanitize=all $(WARNINGS)
+RUNNER_PARTS := $(patsubst %.c,%,$(notdir $(wildcard graders/runner/*.c)))
+SHIM := malloc calloc realloc free aligned_alloc posix_memalign memalign valloc reallocarray strdup strndup
+
+build/runner/plain/%.o: graders/runner/%.c
+	@mkdir -p $(@D)
+	$(CC) $(RUNNER_FLAGS) $(DEPENDENCIES) -c $< -o $@
+build/runner/sanitized/%.o: graders/runner/%.c
+	@mkdir -p $(@D)
+	$(CC) $(RUNNER_FLAGS) -DRUNNER_SANITIZED $(DEPENDENCIES) -c $< -o $@
+
+# $(1): path of the call's source without .c, $(2): plain or sanitized
+define runner_rules
+build/runner/$(2)/$(1).o: graders/runner/$(1).c
+	@mkdir -p $$(@D)
+	$$(CC) $$(RUNNER_FLAGS) -Iexercises/$(1) $(if $(filter sanitized,$(2)),-DRUNNER_SANITIZED) $$(DEPENDENCIES) -c $$< -o $$@
+build/runner/$(notdir $(1)).$(2).o: build/runner/$(2)/$(1).o $(RUNNER_PARTS:%=build/runner/$(2)/%.o)
+	@ld -r $$^ -o $$@.tmp
+	@objcopy --keep-global-symbol=main $(SHIM:%=--keep-global-symbol=__wrap_%) \
+	  --keep-global-symbol=__asan_default_options --keep-global-symbol=__ubsan_default_options $$@.tmp $$@
+	@rm $$@.tmp
+endef
+$(foreach c,$(CALLS:graders/runner/%.c=%),$(foreach f,plain sanitized,$(eval $(call runner_rules,$(c),$(f)))))
+
+# ---------------------------------------------------------------- the renderer
+VTK_INCLUDE := $(firstword $(wildcard /usr/include/vtk-9.*))
+HAVE_RENDERER := $(and $(VTK_INCLUDE),$(shell pkg-config --exists OpenImageIO 2>/dev/null && echo yes))
+RENDER_SOURCES := $(wildcard graders/render/*.cpp)
+ifneq ($(and $(HAVE_RENDERER),$(RENDER_SOURCES)),)
+VTK_VERSION := $(patsubst vtk-%,%,$(notdir $(VTK_INCLUDE)))
+VTK_MODULES := ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms \
+  FiltersCore FiltersGeneral FiltersSources InteractionStyle RenderingAnnotation RenderingContext2D \
+  RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
+VTK_LIBRARIES := $(foreach m,$(VTK_MODULES),-lvtk$(m)-$(VTK_VERSION)) -lvtksys-$(VTK_VERSION)
+CXXFLAGS := -std=c++17 -I. $(MODE) -Wall -Wextra -Wshadow -isystem $(VTK_INCLUDE) $(shell pkg-config --cflags OpenImageIO)
+
+build/meshgrade-render: $(BUILD)/meshgrade-render
+	@ln -sf $(config)/meshgrade-render $@
+$(BUILD)/meshgrade-render: $(RENDER_SOURCES:%.cpp=$(BUILD)/%.o)
+	$(CXX) $(MODE) $^ -o $@ $(VTK_LIBRARIES) $(shell pkg-config --libs OpenImageIO jansson) -lEGL -ldl -lm
+$(BUILD)/%.o: %.cpp
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) $(DEPENDENCIES) -c $< -o $@
+else
+build/meshgrade-render:
+	@echo "meshgrade: VTK or OpenImageIO is not installed: built without pictures (make deps installs both)" >&2
+endif
+
+# ---------------------------------------------------------------- tests
+UNIT_TESTS := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
+UNIT_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/unit/test_*.c),$(wildcard tests/unit/*.c)))
+
+$(UNIT_TESTS): $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(UNIT_SUPPORT) $(BUILD)/libmeshgrade.a
+	$(CC) $(MODE) $^ -o $@ -lcmocka $(LDLIBS)
+
+unit: $(UNIT_TESTS) $(RUNNERS) ## build and run the unit tests
+	@failed=0; for t in $(UNIT_TESTS); do echo "== $$t"; $$t || failed=1; done; exit $$failed
+
+deps: ## install the Debian packages that the build, the demo and the tests need
+	@echo "meshgrade: every package is installed"
+
+clean: ## remove build/
+	rm -rf build
+
+help: ## this list
+	@echo "make [goal] [config=release|debug|asan|coverage]"
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+
+.PHONY: all unit deps clean help
+-include $(shell find build -name '*.d' 2>/dev/null)

@@ -1,0 +1,31 @@
+/* What each exercise gives to the runner: how to call the student's function once.
+ *
+ * graders/runner/<group>/<name>.c defines run_call, includes the exercise's public header (as
+ * "<name>.h") and this file, and does four plain steps: read the arguments from the packet, call
+ * the student's function between measure_begin() and measure_end(), write the answer, free what the
+ * student returned. It runs inside the box, in the student's process: it is believed in nothing, and
+ * all that it writes is judged as bytes that may be anything.
+ *
+ * Arrays from the packet lie in memory that cannot be written; hand them to the student in place.
+ * Follow a pointer that the student returned only to write the answer (a wild one then ends this
+ * process, and the verdict says so). Free what was returned with free(): what is left afterwards is
+ * the student's leak. Never allocate between measure_begin() and measure_end(). */
+#ifndef GRADERS_RUNNER_CALL_H
+#define GRADERS_RUNNER_CALL_H
+
+#include "graders/runner/packet.h"
+
+/* The student's function reported, in the exercise's documented way, that memory ran out. Say so
+ * instead of writing an answer. */
+void call_out_of_memory(void);
+
+/* One call: reads `input`, calls the student, writes `answer`. */
+void run_call(struct reader *input, struct writer *answer);
+
+/* Around the student's call, and nothing else: work, allocations and stack count from here ... */
+void measure_begin(void);
+
+/* ... to here. Exactly one pair in a call of run_call. */
+void measure_end(void);
+
+#endif
