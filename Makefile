@@ -73,7 +73,8 @@ LIBRARY_SOURCES := $(wildcard reference/mesh/*.c reference/formats/*.c bench/mea
 LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/judge-table.o
 JUDGES := $(patsubst %.c,%,$(notdir $(wildcard graders/judges/*/*.c)))
 CALLS := $(wildcard graders/runner/*/*.c)
-RUNNERS := $(foreach c,$(CALLS),$(foreach f,plain sanitized,build/runner/$(basename $(notdir $(c))).$(f).o))
+FLAVOURS := plain sanitized checked
+RUNNERS := $(foreach c,$(CALLS),$(foreach f,$(FLAVOURS),build/runner/$(basename $(notdir $(c))).$(f).o))
 
 all: build/meshgrade build/meshgrade-render ## build the programs
 
@@ -106,30 +107,37 @@ $(BUILD)/judge-table.c: $(wildcard graders/judges/*) $(wildcard graders/judges/*
 # ---------------------------------------------------------------- the runner
 # One relocatable object an exercise, with every name local but main and the allocation shim, so that
 # a submission can neither call into it nor replace parts of it. Always optimised: it is the same in
-# every configuration.
+# every configuration. Flavours: plain has the allocation shim; sanitized and checked leave allocation to
+# the sanitizers and to valgrind's memcheck.
 RUNNER_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O2 -g -fno-sanitize=all $(WARNINGS)
 RUNNER_PARTS := $(patsubst %.c,%,$(notdir $(wildcard graders/runner/*.c)))
-SHIM := malloc calloc realloc free aligned_alloc posix_memalign memalign valloc reallocarray strdup strndup
+SHIM := malloc calloc realloc free aligned_alloc posix_memalign memalign valloc
+FLAVOUR_plain :=
+FLAVOUR_sanitized := -DRUNNER_WITHOUT_SHIM -DRUNNER_SANITIZED
+FLAVOUR_checked := -DRUNNER_WITHOUT_SHIM
 
 build/runner/plain/%.o: graders/runner/%.c
 	@mkdir -p $(@D)
 	$(CC) $(RUNNER_FLAGS) $(DEPENDENCIES) -c $< -o $@
 build/runner/sanitized/%.o: graders/runner/%.c
 	@mkdir -p $(@D)
-	$(CC) $(RUNNER_FLAGS) -DRUNNER_SANITIZED $(DEPENDENCIES) -c $< -o $@
+	$(CC) $(RUNNER_FLAGS) $(FLAVOUR_sanitized) $(DEPENDENCIES) -c $< -o $@
+build/runner/checked/%.o: graders/runner/%.c
+	@mkdir -p $(@D)
+	$(CC) $(RUNNER_FLAGS) $(FLAVOUR_checked) $(DEPENDENCIES) -c $< -o $@
 
-# $(1): path of the call's source without .c, $(2): plain or sanitized
+# $(1): path of the call's source without .c, $(2): the flavour
 define runner_rules
 build/runner/$(2)/$(1).o: graders/runner/$(1).c
 	@mkdir -p $$(@D)
-	$$(CC) $$(RUNNER_FLAGS) -Iexercises/$(1) $(if $(filter sanitized,$(2)),-DRUNNER_SANITIZED) $$(DEPENDENCIES) -c $$< -o $$@
+	$$(CC) $$(RUNNER_FLAGS) -Iexercises/$(1) $$(FLAVOUR_$(2)) $$(DEPENDENCIES) -c $$< -o $$@
 build/runner/$(notdir $(1)).$(2).o: build/runner/$(2)/$(1).o $(RUNNER_PARTS:%=build/runner/$(2)/%.o)
 	@ld -r $$^ -o $$@.tmp
 	@objcopy --keep-global-symbol=main $(SHIM:%=--keep-global-symbol=__wrap_%) \
-	  --keep-global-symbol=__asan_default_options --keep-global-symbol=__ubsan_default_options $$@.tmp $$@
+	$$@.tmp $$@
 	@rm $$@.tmp
 endef
-$(foreach c,$(CALLS:graders/runner/%.c=%),$(foreach f,plain sanitized,$(eval $(call runner_rules,$(c),$(f)))))
+$(foreach c,$(CALLS:graders/runner/%.c=%),$(foreach f,$(FLAVOURS),$(eval $(call runner_rules,$(c),$(f)))))
 
 # ---------------------------------------------------------------- the renderer
 VTK_INCLUDE := $(firstword $(wildcard /usr/include/vtk-9.*))

@@ -44,8 +44,10 @@ enum box_layer {
 const char *box_layer_name(enum box_layer layer);
 
 enum box_profile {
-    BOX_RUN,   /* a static program that computes: some 50 system calls allowed, no files, no processes */
-    BOX_TOOLS, /* valgrind or a sanitized program: read-only /usr and /lib, private /proc and /tmp */
+    BOX_RUN, /* a static program that computes: some 50 system calls allowed, no files, no processes
+              */
+    BOX_TOOLS, /* valgrind or a sanitized program: read-only /usr and /lib, private /proc and /tmp
+                */
     BOX_BUILD  /* gcc, ld: as TOOLS, processes allowed, no /proc */
 };
 
@@ -54,42 +56,42 @@ enum { BOX_PATH_LIMIT = 16, BOX_PASSED_LIMIT = 8 };
 /* What to run, and within which limits. Zero it, then fill it. */
 struct box_plan {
     enum box_profile profile;
-    char *const *argv;                       /* argv[0]: path inside the box, unless program_fd */
-    char *const *envp;                       /* NULL: PATH and LC_ALL=C only */
-    int program_fd;                          /* >= 0: run this descriptor (execveat), -1: argv[0] */
-    const char *readable[BOX_PATH_LIMIT];    /* absolute paths visible read-only, NULL-terminated */
-    const char *writable;                    /* absolute path of a folder visible read-write, or NULL */
-    const char *working_folder;              /* inside the box; NULL: / */
-    int passed[BOX_PASSED_LIMIT];            /* descriptors that the program gets as 3, 4, 5, ... */
+    char *const *argv;                    /* argv[0]: path inside the box, unless program_fd */
+    char *const *envp;                    /* NULL: PATH and LC_ALL=C only */
+    int program_fd;                       /* >= 0: run this descriptor (execveat), -1: argv[0] */
+    const char *readable[BOX_PATH_LIMIT]; /* absolute paths visible read-only, NULL-terminated */
+    const char *writable;         /* absolute path of a folder visible read-write, or NULL */
+    const char *working_folder;   /* inside the box; NULL: / */
+    int passed[BOX_PASSED_LIMIT]; /* descriptors that the program gets as 3, 4, 5, ... */
     int passed_count;
-    int input_fd, output_fd, error_fd;       /* stdio; -1: /dev/null */
-    uint64_t memory_bytes;                   /* all memory; RUN and BUILD also as address space */
-    uint64_t file_bytes;                     /* largest file written (stdout included, if a file) */
-    uint64_t scratch_bytes;                  /* size of the private /tmp */
+    int input_fd, output_fd, error_fd; /* stdio; -1: /dev/null */
+    uint64_t memory_bytes;             /* all memory; RUN and BUILD also as address space */
+    uint64_t file_bytes;               /* largest file written (stdout included, if a file) */
+    uint64_t scratch_bytes;            /* size of the private /tmp */
     uint64_t stack_bytes;
-    unsigned cpu_seconds;                    /* hard limit, whole seconds, rounded up */
-    unsigned wall_ms;                        /* used by box_run only */
-    unsigned process_count;                  /* TOOLS, BUILD; RUN never starts any */
-    int cpu;                                 /* pin to this cpu, -1: not */
-    uint32_t disabled_layers;                /* bit 1 << layer: leave it out (tests, doctor) */
+    unsigned cpu_seconds;     /* hard limit, whole seconds, rounded up */
+    unsigned wall_ms;         /* used by box_run only */
+    unsigned process_count;   /* TOOLS, BUILD; RUN never starts any */
+    int cpu;                  /* pin to this cpu, -1: not */
+    uint32_t disabled_layers; /* bit 1 << layer: leave it out (tests, doctor) */
 };
 
 /* A running box; fields are read-only for users. */
 struct box {
     pid_t init;
-    pid_t program;      /* as the engine sees it */
+    pid_t program; /* as the engine sees it */
     int pidfd, socket, notify;
-    uint32_t active;    /* bit 1 << layer */
+    uint32_t active;                  /* bit 1 << layer */
     char reason[BOX_LAYER_COUNT][80]; /* why a layer is not active */
     int landlock_abi, cgroup_version;
     char cgroup_memory[256], cgroup_pids[256], cgroup_cpu[256];
-    int64_t start_ns;   /* CLOCK_MONOTONIC */
-    bool ended;         /* the program is gone; status and usage are known or it was killed */
+    int64_t start_ns; /* CLOCK_MONOTONIC */
+    bool ended;       /* the program is gone; status and usage are known or it was killed */
     /* gathered while running */
-    int status;         /* wait status, valid when has_status */
+    int status; /* wait status, valid when has_status */
     bool has_status;
     struct rusage usage;
-    char refused_call[40];   /* name of the first refused system call, empty if none */
+    char refused_call[40];    /* name of the first refused system call, empty if none */
     char refused_detail[160]; /* "openat /etc/passwd": what it asked for; untrusted text */
     int refused_count;
 };
@@ -116,7 +118,7 @@ struct box_outcome {
     uint64_t memory_peak_bytes; /* by cgroup, 0: not known */
     uint32_t active;
     char reason[BOX_LAYER_COUNT][80];
-    bool cleaned;               /* every process gone, cgroups removed */
+    bool cleaned; /* every process gone, cgroups removed */
 };
 
 /* Starts a program. Returns 0; -1 and *err when the box could not be made (a fault; also when

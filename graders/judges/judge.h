@@ -41,12 +41,12 @@ enum { JUDGEMENT_TEXT = 400 };
 /* What judge() says. Starts zeroed, that is: rejected, without a reason. */
 struct judgement {
     bool accepted;
-    char cause[48];                 /* when rejected: a slug, "duplicate-edge" */
-    char element[96];               /* when rejected: the first and smallest element at fault,
-                                       "edge 1041 (12,977)"; empty when there is none to name */
-    char message[JUDGEMENT_TEXT];   /* one sentence for the student: what, where, what is right */
+    char cause[48];                  /* when rejected: a slug, "duplicate-edge" */
+    char element[96];                /* when rejected: the first and smallest element at fault,
+                                        "edge 1041 (12,977)"; empty when there is none to name */
+    char message[JUDGEMENT_TEXT];    /* one sentence for the student: what, where, what is right */
     char message_es[JUDGEMENT_TEXT]; /* the same in Spanish */
-    struct scene scene;             /* what to show; filled only when rejected */
+    struct scene scene;              /* what to show; filled only when rejected */
 };
 
 struct judge {
@@ -54,7 +54,8 @@ struct judge {
     const struct judge_case *cases;
     size_t case_count;
 
-    /* Writes the input of a case. `models` is the folder exercises/models. Same case, same bytes. */
+    /* Writes the input of a case. `models` is the folder exercises/models. Same case, same bytes.
+     */
     int (*make)(const struct judge_case *c, const char *models, struct writer *input,
                 struct error *err);
 

@@ -63,7 +63,8 @@ struct scene {
     int64_t ok_count; /* elements that are right, for the legend; -1: not said */
     struct strip *strips;
     int strip_count;
-    uint8_t *voxel_bits; /* k*k*k bits, cell (x,y,z) is bit number x + k * (y + k * z), low bit first */
+    uint8_t
+        *voxel_bits; /* k*k*k bits, cell (x,y,z) is bit number x + k * (y + k * z), low bit first */
     int32_t voxels_per_side;
     struct curve curves[SCENE_CURVE_LIMIT];
     int curve_count;

@@ -3,8 +3,8 @@
  * graders/runner/<group>/<name>.c defines run_call, includes the exercise's public header (as
  * "<name>.h") and this file, and does four plain steps: read the arguments from the packet, call
  * the student's function between measure_begin() and measure_end(), write the answer, free what the
- * student returned. It runs inside the box, in the student's process: it is believed in nothing, and
- * all that it writes is judged as bytes that may be anything.
+ * student returned. It runs inside the box, in the student's process: it is believed in nothing,
+ * and all that it writes is judged as bytes that may be anything.
  *
  * Arrays from the packet lie in memory that cannot be written; hand them to the student in place.
  * Follow a pointer that the student returned only to write the answer (a wild one then ends this

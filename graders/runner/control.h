@@ -1,9 +1,9 @@
 /* The page that the engine and the runner share: the handshake and what the runner measured.
  *
- * The engine writes a packet into the input region, sets call_index and wakes the runner; the runner
- * answers into the answer region, fills the rest of this page, sets done_index and wakes the engine.
- * The whole page can be overwritten by the student's code: the engine takes every field as a claim,
- * reads it once, and never follows a length from here without a bound. */
+ * The engine writes a packet into the input region, sets call_index and wakes the runner; the
+ * runner answers into the answer region, fills the rest of this page, sets done_index and wakes the
+ * engine. The whole page can be overwritten by the student's code: the engine takes every field as
+ * a claim, reads it once, and never follows a length from here without a bound. */
 #ifndef GRADERS_RUNNER_CONTROL_H
 #define GRADERS_RUNNER_CONTROL_H
 
@@ -18,17 +18,26 @@ enum { CONTROL_BYTES = 4096 };
 
 enum runner_mode {
     MODE_PLAIN = 0,
-    MODE_COUNT = 1,       /* under callgrind: dump the counts after each call */
-    MODE_MEMCHECK = 2,    /* under memcheck: report its error count after each call */
-    MODE_PAINT_STACK = 4  /* measure the stack */
+    MODE_COUNT = 1,      /* under callgrind: dump the counts after each call */
+    MODE_MEMCHECK = 2,   /* under memcheck: report its error count after each call */
+    MODE_PAINT_STACK = 4 /* measure the stack */
 };
 
 /* Where the runner stood last, so that a crash can be told apart. */
 enum runner_phase {
-    PHASE_START,     /* before the student's function was called */
-    PHASE_CALL,      /* inside it */
-    PHASE_ANSWER,    /* reading what it returned */
+    PHASE_START,  /* before the student's function was called */
+    PHASE_CALL,   /* inside it */
+    PHASE_ANSWER, /* reading what it returned */
     PHASE_DONE
+};
+
+/* What a fault of memory was, as the runner's signal handler saw it. */
+enum fault_kind {
+    FAULT_NONE,
+    FAULT_NULL,  /* an address below 64 KiB */
+    FAULT_STACK, /* the stack is exhausted */
+    FAULT_INPUT, /* a write to the input, or a read beyond its end */
+    FAULT_OTHER
 };
 
 enum { CALL_QUIT = UINT32_MAX };
@@ -38,28 +47,30 @@ struct control {
     alignas(64) _Atomic uint32_t done_index; /* runner: the call that is done */
 
     /* engine to runner, before each call */
-    uint64_t nonce;               /* copied into `echo` when the answer is complete */
+    uint64_t nonce; /* copied into `echo` when the answer is complete */
     uint64_t input_bytes;
-    uint64_t input_capacity;      /* size of the input region, fixed */
-    uint64_t answer_capacity;     /* size of the answer region, fixed */
-    uint64_t heap_limit_bytes;    /* an allocation beyond this gets NULL */
-    int64_t failing_allocation;   /* the how-manieth allocation of the call gets NULL; 0: none */
-    uint32_t mode;                /* runner_mode flags */
+    uint64_t input_capacity;    /* size of the input region, fixed */
+    uint64_t answer_capacity;   /* size of the answer region, fixed */
+    uint64_t heap_limit_bytes;  /* an allocation beyond this gets NULL */
+    int64_t failing_allocation; /* the how-manieth allocation of the call gets NULL; 0: none */
+    uint32_t mode;              /* runner_mode flags */
 
     /* runner to engine, after each call */
     alignas(64) uint64_t echo;
-    uint64_t answer_bytes;        /* may exceed the capacity: then the answer was too long */
-    uint32_t phase;               /* runner_phase */
-    uint32_t out_of_memory;       /* the student's function said that memory ran out */
-    int64_t heap_peak_bytes;      /* most bytes live at once during the call */
-    int64_t heap_held_bytes;      /* allocated by the call and live when it returned */
-    int64_t heap_left_bytes;      /* still live after everything returned was freed: leaked */
+    uint64_t answer_bytes;   /* may exceed the capacity: then the answer was too long */
+    uint32_t phase;          /* runner_phase */
+    uint32_t out_of_memory;  /* the student's function said that memory ran out */
+    int64_t heap_peak_bytes; /* most bytes live at once during the call */
+    int64_t heap_held_bytes; /* allocated by the call and live when it returned */
+    int64_t heap_left_bytes; /* still live after everything returned was freed: leaked */
     int64_t leaked_blocks;
     int64_t allocation_count;
-    int64_t refused_count;        /* allocations refused because of heap_limit_bytes */
-    int64_t bad_free_count;       /* free or realloc of a pointer that is no live block */
-    int64_t stack_bytes;          /* with MODE_PAINT_STACK */
-    int64_t tool_errors;          /* with MODE_MEMCHECK: errors so far */
+    int64_t refused_count;   /* allocations refused because of heap_limit_bytes */
+    int64_t bad_free_count;  /* free or realloc of a pointer that is no live block */
+    int64_t stack_bytes;     /* with MODE_PAINT_STACK */
+    int64_t tool_errors;     /* with MODE_MEMCHECK: errors so far */
+    uint32_t fault;          /* fault_kind */
+    uint32_t sanitizer_died; /* a sanitizer found an error and ended the program */
 };
 
 #endif

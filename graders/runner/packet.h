@@ -40,10 +40,10 @@ const void *read_array(struct reader *reader, int64_t count, size_t element_byte
  * (writer_growing; release with writer_release). */
 struct writer {
     unsigned char *bytes;
-    size_t count;    /* bytes written; keeps counting past capacity so that the need can be told */
+    size_t count; /* bytes written; keeps counting past capacity so that the need can be told */
     size_t capacity;
     bool growing;
-    bool failed;     /* out of memory, or more than the capacity was written */
+    bool failed; /* out of memory, or more than the capacity was written */
 };
 
 struct writer writer_into(void *bytes, size_t capacity);

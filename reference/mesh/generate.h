@@ -5,7 +5,8 @@
  * in place on a mesh that the caller owns. All return 0, or -1 and *err (out of memory, or an
  * argument out of the range that stands with it), and then leave the empty mesh (generators) or the
  * mesh as it was (changes). Cost is linear in the mesh made unless it says otherwise. Closed meshes
- * are coherently oriented with normals outwards. Positions are about one unit wide around the origin.
+ * are coherently oriented with normals outwards. Positions are about one unit wide around the
+ * origin.
  */
 #ifndef REFERENCE_MESH_GENERATE_H
 #define REFERENCE_MESH_GENERATE_H
@@ -50,9 +51,11 @@ int generate_two_cubes(struct mesh *mesh, struct error *err) MUST_CHECK;
 int generate_book(struct mesh *mesh, int64_t leaves, struct error *err) MUST_CHECK;
 
 /* `triangles` separate random triangles: 3 vertices each, nothing shared. */
-int generate_soup(struct mesh *mesh, int64_t triangles, uint64_t seed, struct error *err) MUST_CHECK;
+int generate_soup(struct mesh *mesh, int64_t triangles, uint64_t seed,
+                  struct error *err) MUST_CHECK;
 
-/* `triangles` needles: a strip of triangles whose height is `ratio` (0 < ratio <= 1) of their base. */
+/* `triangles` needles: a strip of triangles whose height is `ratio` (0 < ratio <= 1) of their base.
+ */
 int generate_needles(struct mesh *mesh, int64_t triangles, double ratio, uint64_t seed,
                      struct error *err) MUST_CHECK;
 
@@ -75,7 +78,8 @@ int change_adversarial_numbering(struct mesh *mesh, uint64_t seed, struct error 
 /* Reverses each triangle with the given probability (0 ... 1): incoherent orientation. */
 int change_flip(struct mesh *mesh, double probability, uint64_t seed, struct error *err) MUST_CHECK;
 
-/* Appends a copy of `other`, moved by (dx, dy, dz), its vertices numbered after the present ones. */
+/* Appends a copy of `other`, moved by (dx, dy, dz), its vertices numbered after the present ones.
+ */
 int change_append(struct mesh *mesh, const struct mesh *other, float dx, float dy, float dz,
                   struct error *err) MUST_CHECK;
 
@@ -87,8 +91,8 @@ int change_add_isolated_vertices(struct mesh *mesh, int64_t count, uint64_t seed
 int change_add_duplicate_triangles(struct mesh *mesh, int64_t count, uint64_t seed,
                                    struct error *err) MUST_CHECK;
 
-/* Adds `count` degenerate triangles on existing vertices: (a,a,b), (a,b,a), (a,a,a) in turn; the two
- * different vertices of each are joined by an edge of the mesh already. */
+/* Adds `count` degenerate triangles on existing vertices: (a,a,b), (a,b,a), (a,a,a) in turn; the
+ * two different vertices of each are joined by an edge of the mesh already. */
 int change_add_degenerate_triangles(struct mesh *mesh, int64_t count, uint64_t seed,
                                     struct error *err) MUST_CHECK;
 

@@ -28,7 +28,8 @@ struct mesh {
 int mesh_init(struct mesh *mesh, int64_t vertex_count, int64_t triangle_count,
               struct error *err) MUST_CHECK;
 
-/* Frees the tables and leaves the empty mesh. A zeroed mesh may be released, any number of times. */
+/* Frees the tables and leaves the empty mesh. A zeroed mesh may be released, any number of times.
+ */
 void mesh_release(struct mesh *mesh);
 
 /* Copies `from` into `to`, which the caller owns afterwards. Returns 0, or -1 and *err. */

@@ -1,0 +1,226 @@
+/* The program inside the box, beside the student's object.
+ *
+ * It maps the three regions that it was given (control page, input, answer), and then, for every
+ * call that the engine asks for: hands the input to run_call, lets it call the student, and reports
+ * what was measured. It shares a process with the student's code, so nothing that it says is
+ * believed; it holds no expected answer, no seed, no name of a case.
+ *
+ * It waits and wakes by futex on the control page. The student's function runs on the ordinary
+ * stack; faults are described by a handler on a stack of its own and then take their course. */
+#include "graders/runner/call.h"
+#include "graders/runner/control.h"
+#include "graders/runner/shim.h"
+
+#include <errno.h>
+#include <linux/futex.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#include <valgrind/callgrind.h>
+#include <valgrind/memcheck.h>
+
+enum {
+    EXIT_NO_REGIONS = 99,
+    PAGE = 4096,
+    PAINTED_BYTES = 12 << 20,
+    PAINT_GAP_BYTES = 512 /* the painting function's own frame */
+};
+static const uint64_t PAINT = 0xA5C3965A3C5A69C3u;
+
+static struct control *control;
+static const unsigned char *input_region;
+static unsigned char *answer_region;
+static uintptr_t stack_top;
+static char output_buffer[1 << 16];
+static unsigned char handler_stack[1 << 16];
+
+/* ------------------------------------------------------------------ faults */
+
+static void describe_fault(int signal_number, siginfo_t *info, void *context)
+{
+    (void)context;
+    uintptr_t at = (uintptr_t)info->si_addr;
+    uintptr_t input = (uintptr_t)input_region;
+    if (at < 65536)
+        control->fault = FAULT_NULL;
+    else if (at < stack_top && stack_top - at < (uintptr_t)64 << 20)
+        control->fault = FAULT_STACK;
+    else if (at >= input - PAGE && at < input + control->input_capacity + PAGE)
+        control->fault = FAULT_INPUT;
+    else
+        control->fault = FAULT_OTHER;
+    signal(signal_number, SIG_DFL); /* returning repeats the fault, which now ends the program */
+}
+
+#ifndef RUNNER_SANITIZED
+static void watch_faults(void)
+{
+    stack_t own = {.ss_sp = handler_stack, .ss_size = sizeof handler_stack};
+    struct sigaction action = {.sa_sigaction = describe_fault, .sa_flags = SA_SIGINFO | SA_ONSTACK};
+    sigaltstack(&own, NULL);
+    sigaction(SIGSEGV, &action, NULL);
+    sigaction(SIGBUS, &action, NULL);
+}
+#else
+void __sanitizer_set_death_callback(void (*callback)(void));
+
+/* The sanitizers bring handlers of their own; they say here that they found something. */
+static void sanitizer_died(void)
+{
+    control->sanitizer_died = 1;
+}
+
+static void watch_faults(void)
+{
+    (void)describe_fault;
+    (void)handler_stack;
+    __sanitizer_set_death_callback(sanitizer_died);
+}
+#endif
+
+/* ------------------------------------------------------------------- stack */
+
+/* Writes a pattern below the present frame, from the top down as a stack grows. */
+__attribute__((noinline)) static void paint_stack(void)
+{
+    volatile uint64_t *top =
+        (volatile uint64_t *)(((uintptr_t)__builtin_frame_address(0) - PAINT_GAP_BYTES) &
+                              ~(uintptr_t)7);
+    for (size_t i = 1; i <= PAINTED_BYTES / sizeof *top; i++)
+        top[-(ptrdiff_t)i] = PAINT;
+}
+
+/* Bytes below this frame where the pattern is gone. */
+__attribute__((noinline)) static int64_t painted_over_bytes(void)
+{
+    const volatile uint64_t *top =
+        (const volatile uint64_t *)(((uintptr_t)__builtin_frame_address(0) - PAINT_GAP_BYTES) &
+                                    ~(uintptr_t)7);
+    size_t untouched = PAINTED_BYTES / sizeof *top;
+    const volatile uint64_t *low = top - untouched;
+    size_t i = 0;
+    while (i < untouched && low[i] == PAINT)
+        i++;
+    return (int64_t)((untouched - i) * sizeof *top);
+}
+
+/* ----------------------------------------------------------------- measure */
+
+void measure_begin(void)
+{
+    control->phase = PHASE_CALL;
+    if (control->mode & MODE_PAINT_STACK)
+        paint_stack();
+    shim_begin((int64_t)control->heap_limit_bytes, control->failing_allocation);
+    if (control->mode & MODE_COUNT)
+        CALLGRIND_TOGGLE_COLLECT;
+}
+
+void measure_end(void)
+{
+    if (control->mode & MODE_COUNT)
+        CALLGRIND_TOGGLE_COLLECT;
+    shim_end();
+    if (control->mode & MODE_PAINT_STACK)
+        control->stack_bytes = painted_over_bytes();
+    control->heap_held_bytes = shim_counts.live_bytes;
+    control->phase = PHASE_ANSWER;
+}
+
+void call_out_of_memory(void)
+{
+    control->out_of_memory = 1;
+}
+
+/* ------------------------------------------------------------------- calls */
+
+static void forget_last_call(void)
+{
+    control->echo = 0;
+    control->answer_bytes = 0;
+    control->phase = PHASE_START;
+    control->out_of_memory = 0;
+    control->stack_bytes = 0;
+    control->fault = FAULT_NONE;
+}
+
+static void do_call(void)
+{
+    uint64_t nonce = control->nonce;
+    struct reader input = reader_of(input_region, control->input_bytes);
+    struct writer answer = writer_into(answer_region, control->answer_capacity);
+    forget_last_call();
+    run_call(&input, &answer);
+    fflush(stdout);
+    if (control->mode & MODE_MEMCHECK) {
+        size_t written = answer.count < answer.capacity ? answer.count : answer.capacity;
+        (void)VALGRIND_CHECK_MEM_IS_DEFINED(answer_region, written);
+        control->tool_errors = (int64_t)VALGRIND_COUNT_ERRORS;
+    }
+    if (control->mode & MODE_COUNT)
+        CALLGRIND_DUMP_STATS;
+    control->heap_peak_bytes = shim_counts.peak_bytes;
+    control->heap_left_bytes = shim_counts.live_bytes;
+    control->leaked_blocks = shim_counts.live_blocks;
+    control->allocation_count = shim_counts.allocation_count;
+    control->refused_count = shim_counts.refused_count;
+    control->bad_free_count = shim_counts.bad_free_count;
+    control->answer_bytes = answer.count;
+    control->phase = PHASE_DONE;
+    control->echo = nonce;
+}
+
+static void futex(_Atomic uint32_t *word, int operation, uint32_t value)
+{
+    syscall(SYS_futex, word, operation, value, NULL, NULL, 0);
+}
+
+static void serve_calls(void)
+{
+    for (uint32_t index = 1;; index++) {
+        while (atomic_load(&control->call_index) == index - 1)
+            futex(&control->call_index, FUTEX_WAIT, index - 1);
+        if (atomic_load(&control->call_index) == CALL_QUIT)
+            return;
+        do_call();
+        atomic_store(&control->done_index, index);
+        futex(&control->done_index, FUTEX_WAKE, 1);
+    }
+}
+
+/* ----------------------------------------------------------------- regions */
+
+/* Maps a region with an unreachable page on each side. */
+static void *map_guarded(int descriptor, size_t bytes, int protection)
+{
+    size_t room = (bytes + PAGE - 1) / PAGE * PAGE;
+    unsigned char *guards =
+        mmap(NULL, room + 2 * PAGE, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (guards == MAP_FAILED)
+        return NULL;
+    if (room == 0)
+        return guards + PAGE;
+    void *mapped = mmap(guards + PAGE, room, protection, MAP_SHARED | MAP_FIXED, descriptor, 0);
+    return mapped == MAP_FAILED ? NULL : mapped;
+}
+
+int main(void)
+{
+    int here;
+    stack_top = (uintptr_t)&here;
+    control = mmap(NULL, CONTROL_BYTES, PROT_READ | PROT_WRITE, MAP_SHARED, CONTROL_FD, 0);
+    if (control == MAP_FAILED)
+        return EXIT_NO_REGIONS;
+    input_region = map_guarded(INPUT_FD, control->input_capacity, PROT_READ);
+    answer_region = map_guarded(ANSWER_FD, control->answer_capacity, PROT_READ | PROT_WRITE);
+    if (!input_region || !answer_region)
+        return EXIT_NO_REGIONS;
+    setvbuf(stdout, output_buffer, _IOFBF, sizeof output_buffer); /* no allocation to be counted */
+    watch_faults();
+    serve_calls();
+    return 0;
+}
