@@ -56,11 +56,11 @@ enum { SCENE_MARK_LIMIT = 400, SCENE_CURVE_LIMIT = 6 };
 
 struct scene {
     enum scene_kind kind;
-    struct mesh mesh;   /* MESH: the mesh; VOXELS: the mesh beside */
+    struct mesh mesh;   /* MESH: the mesh; VOXELS: the mesh beside; STRIPS: what the marks name */
     struct mark *marks; /* at most SCENE_MARK_LIMIT are kept; mark_count[] counts all */
     int kept_mark_count;
     int64_t mark_count[MARK_WRONG + 1];
-    int64_t ok_count; /* elements that are right, for the legend; -1: not said */
+    int64_t ok_count; /* elements that are right, for the legend; 0 or less: not said */
     struct strip *strips;
     int strip_count;
     uint8_t
@@ -71,8 +71,11 @@ struct scene {
     char x_label[48], y_label[48];
 };
 
-/* Each adds to a scene that starts zeroed; on -1 (out of memory, bad index) the scene is still
- * valid, shows less, and *err says why. */
+/* Each adds to a scene that starts zeroed and copies what it is given; on -1 (out of memory, an
+ * index or a coordinate or a size that no picture can have) the scene is still valid, shows less,
+ * and *err says why. The kind of the scene follows from what was added: curves before voxels before
+ * strips before a mesh. Adding a mesh or voxels again replaces them; strips and curves are added
+ * up. */
 int scene_set_mesh(struct scene *scene, const float *positions, int64_t vertex_count,
                    const int32_t *triangles, int64_t triangle_count, struct error *err);
 int scene_add_strip(struct scene *scene, const float *positions, int64_t vertex_count,
@@ -81,12 +84,15 @@ int scene_set_voxels(struct scene *scene, const uint8_t *bits, int32_t voxels_pe
                      struct error *err);
 int scene_add_curve(struct scene *scene, const char *name, const double *x, const double *y,
                     int point_count, double exponent, struct error *err);
+/* Marks may come before or after the mesh; those that name no vertex of it are counted, not kept.
+ */
 void scene_mark_vertex(struct scene *scene, enum mark_kind kind, int32_t vertex);
 void scene_mark_edge(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b);
 void scene_mark_triangle(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b, int32_t c);
 
 /* The scene as JSON (format in graders/render/README.md), a new reference; NULL when out of memory.
- * Meshes above 100,000 triangles are cut to the neighbourhood of the marks. */
+ * Meshes above 100,000 triangles are cut to the 20,000 nearest to the marks, counted in steps along
+ * edges; strips are cut after 300,000 vertices; voxels above 128 a side are sampled at 128. */
 json_t *scene_to_json(const struct scene *scene);
 
 void scene_release(struct scene *scene);

@@ -1,0 +1,178 @@
+/* Filling a scene; see scene.h. */
+#include "graders/judges/scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { VOXELS_PER_SIDE_LIMIT = 2048 };
+
+static void raise_kind(struct scene *scene, enum scene_kind kind)
+{
+    if (kind > scene->kind)
+        scene->kind = kind;
+}
+
+static int check_positions(const float *positions, int64_t vertex_count, struct error *err)
+{
+    for (int64_t i = 0; i < 3 * vertex_count; i++)
+        if (!isfinite(positions[i]))
+            return error_set(err, "vertex %lld of a scene is not finite", (long long)(i / 3));
+    return 0;
+}
+
+static int check_triangles(const int32_t *triangles, int64_t triangle_count, int64_t vertex_count,
+                           struct error *err)
+{
+    for (int64_t i = 0; i < 3 * triangle_count; i++)
+        if (triangles[i] < 0 || triangles[i] >= vertex_count)
+            return error_set(err, "triangle %lld of a scene names vertex %d of %lld",
+                             (long long)(i / 3), triangles[i], (long long)vertex_count);
+    return 0;
+}
+
+int scene_set_mesh(struct scene *scene, const float *positions, int64_t vertex_count,
+                   const int32_t *triangles, int64_t triangle_count, struct error *err)
+{
+    struct mesh copy;
+    if (mesh_init(&copy, vertex_count, triangle_count, err))
+        return -1;
+    if (check_positions(positions, vertex_count, err) ||
+        check_triangles(triangles, triangle_count, vertex_count, err)) {
+        mesh_release(&copy);
+        return -1;
+    }
+    if (vertex_count > 0)
+        memcpy(copy.positions, positions, 3 * sizeof *positions * (size_t)vertex_count);
+    if (triangle_count > 0)
+        memcpy(copy.triangles, triangles, 3 * sizeof *triangles * (size_t)triangle_count);
+    mesh_release(&scene->mesh);
+    scene->mesh = copy;
+    raise_kind(scene, SCENE_MESH);
+    return 0;
+}
+
+int scene_add_strip(struct scene *scene, const float *positions, int64_t vertex_count,
+                    struct error *err)
+{
+    if (vertex_count < 0 || vertex_count > INT32_MAX / 3)
+        return error_set(err, "a strip of a scene has %lld vertices", (long long)vertex_count);
+    if (check_positions(positions, vertex_count, err))
+        return -1;
+    size_t bytes = 3 * sizeof *positions * (size_t)vertex_count;
+    float *copy = malloc(bytes ? bytes : 1);
+    struct strip *grown =
+        realloc(scene->strips, ((size_t)scene->strip_count + 1) * sizeof *scene->strips);
+    if (grown)
+        scene->strips = grown;
+    if (!copy || !grown) {
+        free(copy);
+        return error_set(err, "out of memory for a strip of a scene");
+    }
+    if (bytes)
+        memcpy(copy, positions, bytes);
+    scene->strips[scene->strip_count++] =
+        (struct strip){.positions = copy, .vertex_count = (int32_t)vertex_count};
+    raise_kind(scene, SCENE_STRIPS);
+    return 0;
+}
+
+int scene_set_voxels(struct scene *scene, const uint8_t *bits, int32_t voxels_per_side,
+                     struct error *err)
+{
+    if (voxels_per_side < 1 || voxels_per_side > VOXELS_PER_SIDE_LIMIT)
+        return error_set(err, "%d voxels a side cannot be shown (1 to %d can)", voxels_per_side,
+                         VOXELS_PER_SIDE_LIMIT);
+    size_t side = (size_t)voxels_per_side;
+    size_t bytes = (side * side * side + 7) / 8;
+    uint8_t *copy = malloc(bytes);
+    if (!copy)
+        return error_set(err, "out of memory for %d voxels a side", voxels_per_side);
+    memcpy(copy, bits, bytes);
+    free(scene->voxel_bits);
+    scene->voxel_bits = copy;
+    scene->voxels_per_side = voxels_per_side;
+    raise_kind(scene, SCENE_VOXELS);
+    return 0;
+}
+
+static int check_curve(const double *x, const double *y, int point_count, struct error *err)
+{
+    if (point_count < 0)
+        return error_set(err, "a curve has %d points", point_count);
+    for (int i = 0; i < point_count; i++)
+        if (!(x[i] > 0 && y[i] > 0 && isfinite(x[i]) && isfinite(y[i])))
+            return error_set(err, "point %d of a curve, (%g, %g), has no place on logarithmic axes",
+                             i, x[i], y[i]);
+    return 0;
+}
+
+int scene_add_curve(struct scene *scene, const char *name, const double *x, const double *y,
+                    int point_count, double exponent, struct error *err)
+{
+    if (scene->curve_count >= SCENE_CURVE_LIMIT)
+        return error_set(err, "a scene has at most %d curves", SCENE_CURVE_LIMIT);
+    if (check_curve(x, y, point_count, err))
+        return -1;
+    size_t bytes = sizeof *x * (size_t)point_count;
+    struct curve curve = {.x = malloc(bytes ? bytes : 1),
+                          .y = malloc(bytes ? bytes : 1),
+                          .point_count = point_count,
+                          .exponent = isfinite(exponent) ? exponent : 0};
+    if (!curve.x || !curve.y) {
+        free(curve.x);
+        free(curve.y);
+        return error_set(err, "out of memory for a curve of %d points", point_count);
+    }
+    if (bytes) {
+        memcpy(curve.x, x, bytes);
+        memcpy(curve.y, y, bytes);
+    }
+    snprintf(curve.name, sizeof curve.name, "%s", name);
+    scene->curves[scene->curve_count++] = curve;
+    raise_kind(scene, SCENE_CHART);
+    return 0;
+}
+
+static void add_mark(struct scene *scene, struct mark mark)
+{
+    scene->mark_count[mark.kind]++;
+    for (int i = 0; i <= (int)mark.element; i++)
+        if (mark.vertex[i] < 0)
+            return;
+    if (!scene->marks)
+        scene->marks = malloc(SCENE_MARK_LIMIT * sizeof *scene->marks);
+    if (scene->marks && scene->kept_mark_count < SCENE_MARK_LIMIT)
+        scene->marks[scene->kept_mark_count++] = mark;
+}
+
+void scene_mark_vertex(struct scene *scene, enum mark_kind kind, int32_t vertex)
+{
+    add_mark(scene, (struct mark){kind, ELEMENT_VERTEX, {vertex, 0, 0}});
+}
+
+void scene_mark_edge(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b)
+{
+    add_mark(scene, (struct mark){kind, ELEMENT_EDGE, {a, b, 0}});
+}
+
+void scene_mark_triangle(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b, int32_t c)
+{
+    add_mark(scene, (struct mark){kind, ELEMENT_TRIANGLE, {a, b, c}});
+}
+
+void scene_release(struct scene *scene)
+{
+    mesh_release(&scene->mesh);
+    free(scene->marks);
+    for (int i = 0; i < scene->strip_count; i++)
+        free(scene->strips[i].positions);
+    free(scene->strips);
+    free(scene->voxel_bits);
+    for (int i = 0; i < scene->curve_count; i++) {
+        free(scene->curves[i].x);
+        free(scene->curves[i].y);
+    }
+    *scene = (struct scene){0};
+}

@@ -1,0 +1,215 @@
+/* Scenes as JSON; the format stands in graders/render/README.md. */
+#include "graders/judges/scene.h"
+#include "graders/judges/scene_cut.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "scenes hold little-endian numbers");
+
+enum { STRIP_VERTEX_LIMIT = 300000, VOXELS_PER_SIDE_SHOWN = 128 };
+
+static const char *const mark_names[] = {"missing",  "duplicate", "extra", "degenerate",
+                                         "boundary", "flipped",   "wrong"};
+static const char *const element_names[] = {"vertex", "edge", "triangle"};
+
+/* Bytes as a JSON string in base64; NULL when out of memory. */
+static json_t *json_base64(const void *data, size_t count)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const uint8_t *bytes = data;
+    size_t length = (count + 2) / 3 * 4;
+    char *text = malloc(length + 1);
+    if (!text)
+        return NULL;
+    for (size_t i = 0, out = 0; i < count; i += 3, out += 4) {
+        size_t left = count - i;
+        uint32_t group = (uint32_t)bytes[i] << 16 | (left > 1 ? (uint32_t)bytes[i + 1] << 8 : 0) |
+                         (left > 2 ? (uint32_t)bytes[i + 2] : 0);
+        text[out] = digits[group >> 18];
+        text[out + 1] = digits[group >> 12 & 63];
+        text[out + 2] = '=';
+        text[out + 3] = '=';
+        if (left > 1)
+            text[out + 2] = digits[group >> 6 & 63];
+        if (left > 2)
+            text[out + 3] = digits[group & 63];
+    }
+    json_t *json = json_stringn_nocheck(text, length);
+    free(text);
+    return json;
+}
+
+static json_t *mesh_to_json(const struct mesh *mesh)
+{
+    size_t positions = 3 * sizeof(float) * (size_t)mesh->vertex_count;
+    size_t triangles = 3 * sizeof(int32_t) * (size_t)mesh->triangle_count;
+    return json_pack("{s:i, s:i, s:o, s:o}", "vertex_count", (int)mesh->vertex_count,
+                     "triangle_count", (int)mesh->triangle_count, "positions",
+                     json_base64(mesh->positions, positions), "triangles",
+                     json_base64(mesh->triangles, triangles));
+}
+
+static json_t *mark_to_json(const struct mark *mark)
+{
+    json_t *vertices = json_array();
+    for (int i = 0; vertices && i <= (int)mark->element; i++)
+        json_array_append_new(vertices, json_integer(mark->vertex[i]));
+    return json_pack("{s:s, s:s, s:o}", "kind", mark_names[mark->kind], "element",
+                     element_names[mark->element], "vertex", vertices);
+}
+
+/* The marks that fit into the mesh. */
+static json_t *marks_to_json(const struct scene *scene)
+{
+    json_t *marks = json_array();
+    for (int m = 0; marks && m < scene->kept_mark_count; m++)
+        if (scene_mark_fits(scene, &scene->marks[m]))
+            json_array_append_new(marks, mark_to_json(&scene->marks[m]));
+    return marks;
+}
+
+/* Adds "mesh", "marks" and "cut"; scenes without a mesh and marks get only "cut". */
+static int add_mesh(json_t *json, const struct scene *scene)
+{
+    struct scene cut = {0};
+    bool is_cut = scene_needs_cut(scene);
+    if (is_cut && scene_cut(scene, &cut, NULL))
+        return -1;
+    const struct scene *shown = is_cut ? &cut : scene;
+    int failed = 0;
+    if (shown->mesh.vertex_count > 0 || scene->kind == SCENE_MESH)
+        failed |= json_object_set_new(json, "mesh", mesh_to_json(&shown->mesh));
+    if (shown->kept_mark_count > 0)
+        failed |= json_object_set_new(json, "marks", marks_to_json(shown));
+    if (is_cut)
+        failed |= json_object_set_new(json, "cut", json_true());
+    scene_release(&cut);
+    return failed;
+}
+
+static int add_counts(json_t *json, const struct scene *scene)
+{
+    json_t *counts = json_object();
+    if (!counts)
+        return -1;
+    int failed = 0;
+    for (int kind = 0; kind <= MARK_WRONG; kind++)
+        if (scene->mark_count[kind] > 0)
+            failed |= json_object_set_new(counts, mark_names[kind],
+                                          json_integer(scene->mark_count[kind]));
+    failed |= json_object_set_new(json, "mark_counts", counts);
+    if (scene->ok_count > 0)
+        failed |= json_object_set_new(json, "ok_count", json_integer(scene->ok_count));
+    return failed;
+}
+
+static int add_strips(json_t *json, const struct scene *scene)
+{
+    json_t *strips = json_array();
+    if (!strips)
+        return -1;
+    int failed = 0;
+    int64_t vertex_count = 0;
+    int i = 0;
+    for (; i < scene->strip_count; i++) {
+        const struct strip *strip = &scene->strips[i];
+        vertex_count += strip->vertex_count;
+        if (vertex_count > STRIP_VERTEX_LIMIT)
+            break;
+        json_t *positions =
+            json_base64(strip->positions, 3 * sizeof(float) * (size_t)strip->vertex_count);
+        failed |= json_array_append_new(strips, json_pack("{s:i, s:o}", "vertex_count",
+                                                          (int)strip->vertex_count, "positions",
+                                                          positions));
+    }
+    if (i < scene->strip_count)
+        failed |= json_object_set_new(json, "cut", json_true());
+    return failed | json_object_set_new(json, "strips", strips);
+}
+
+static bool voxel(const struct scene *scene, size_t x, size_t y, size_t z)
+{
+    size_t side = (size_t)scene->voxels_per_side;
+    size_t bit = x + side * (y + side * z);
+    return scene->voxel_bits[bit / 8] >> bit % 8 & 1;
+}
+
+/* Voxels above the shown size are sampled at the centres of the shown cells. */
+static int add_voxels(json_t *json, const struct scene *scene)
+{
+    size_t side = (size_t)scene->voxels_per_side;
+    size_t shown = side > VOXELS_PER_SIDE_SHOWN ? VOXELS_PER_SIDE_SHOWN : side;
+    size_t bytes = (shown * shown * shown + 7) / 8;
+    uint8_t *bits = calloc(bytes, 1);
+    if (!bits)
+        return -1;
+    for (size_t bit = 0; bit < shown * shown * shown; bit++) {
+        size_t x = (2 * (bit % shown) + 1) * side / (2 * shown);
+        size_t y = (2 * (bit / shown % shown) + 1) * side / (2 * shown);
+        size_t z = (2 * (bit / shown / shown) + 1) * side / (2 * shown);
+        if (voxel(scene, x, y, z))
+            bits[bit / 8] = (uint8_t)(bits[bit / 8] | 1U << bit % 8);
+    }
+    json_t *voxels =
+        json_pack("{s:i, s:o}", "per_side", (int)shown, "bits", json_base64(bits, bytes));
+    free(bits);
+    return json_object_set_new(json, "voxels", voxels);
+}
+
+static json_t *numbers_to_json(const double *numbers, int count)
+{
+    json_t *array = json_array();
+    for (int i = 0; array && i < count; i++)
+        json_array_append_new(array, json_real(numbers[i]));
+    return array;
+}
+
+/* A text that may not be UTF-8 as JSON: then as "?". */
+static json_t *text_to_json(const char *text)
+{
+    json_t *json = json_string(text);
+    return json ? json : json_string("?");
+}
+
+static int add_chart(json_t *json, const struct scene *scene)
+{
+    json_t *curves = json_array();
+    if (!curves)
+        return -1;
+    int failed = 0;
+    for (int i = 0; i < scene->curve_count; i++) {
+        const struct curve *curve = &scene->curves[i];
+        json_t *one = json_pack("{s:o, s:o, s:o}", "name", text_to_json(curve->name), "x",
+                                numbers_to_json(curve->x, curve->point_count), "y",
+                                numbers_to_json(curve->y, curve->point_count));
+        if (one && curve->exponent != 0)
+            failed |= json_object_set_new(one, "exponent", json_real(curve->exponent));
+        failed |= json_array_append_new(curves, one);
+    }
+    failed |= json_object_set_new(json, "curves", curves);
+    failed |= json_object_set_new(json, "x_label", text_to_json(scene->x_label));
+    return failed | json_object_set_new(json, "y_label", text_to_json(scene->y_label));
+}
+
+json_t *scene_to_json(const struct scene *scene)
+{
+    static const char *const kind_names[] = {"none", "mesh", "strips", "voxels", "chart"};
+    json_t *json = json_pack("{s:s}", "kind", kind_names[scene->kind]);
+    if (!json)
+        return NULL;
+    int failed = 0;
+    if (scene->kind >= SCENE_MESH && scene->kind <= SCENE_VOXELS)
+        failed |= add_mesh(json, scene) | add_counts(json, scene);
+    if (scene->kind == SCENE_STRIPS)
+        failed |= add_strips(json, scene);
+    if (scene->kind == SCENE_VOXELS)
+        failed |= add_voxels(json, scene);
+    if (scene->kind == SCENE_CHART)
+        failed |= add_chart(json, scene);
+    if (failed) {
+        json_decref(json);
+        return NULL;
+    }
+    return json;
+}
