@@ -47,6 +47,16 @@ double read_real(struct reader *reader)
     return value;
 }
 
+const void *read_table(struct reader *reader, int64_t *count, size_t element_bytes)
+{
+    *count = read_int(reader);
+    int64_t kept = read_int(reader);
+    if (kept != 0 && kept != *count)
+        reader->failed = true;
+    const void *table = read_array(reader, kept, element_bytes);
+    return kept == *count ? table : NULL;
+}
+
 struct writer writer_into(void *bytes, size_t capacity)
 {
     return (struct writer){.bytes = bytes, .capacity = capacity};
@@ -109,4 +119,17 @@ void write_int(struct writer *writer, int64_t value)
 void write_real(struct writer *writer, double value)
 {
     write_array(writer, &value, 1, sizeof value);
+}
+
+void write_table(struct writer *writer, const void *table, int64_t count, size_t element_bytes)
+{
+    write_int(writer, count);
+    size_t taken = writer->count + sizeof(int64_t);
+    size_t room = writer->growing            ? SIZE_MAX / 4
+                  : taken < writer->capacity ? writer->capacity - taken
+                                             : 0;
+    bool follows = table && count >= 0 && (uint64_t)count <= room / element_bytes &&
+                   padded((size_t)count * element_bytes) <= room;
+    write_int(writer, follows ? count : 0);
+    write_array(writer, table, follows ? count : 0, element_bytes);
 }

@@ -36,6 +36,11 @@ double read_real(struct reader *reader);
  * 0 gives a pointer that must not be followed. */
 const void *read_array(struct reader *reader, int64_t count, size_t element_bytes);
 
+/* Reads what write_table wrote. *count gets the claimed count, whatever it is. Returns the elements
+ * in place, or NULL when they were left out (the reader goes on) or the packet is broken (it
+ * fails). */
+const void *read_table(struct reader *reader, int64_t *count, size_t element_bytes);
+
 /* Writes a packet, either into memory that the caller gives (writer_into) or into memory that grows
  * (writer_growing; release with writer_release). */
 struct writer {
@@ -54,5 +59,11 @@ void write_real(struct writer *writer, double value);
 
 /* Copies `count` elements from `array`; NULL is allowed when count is 0. */
 void write_array(struct writer *writer, const void *array, int64_t count, size_t element_bytes);
+
+/* Writes a table as untrusted code returned it: the count that it claims, the count of elements
+ * that follow, and these. All follow when the pointer is not NULL, the count is not negative and
+ * the room suffices, otherwise none: a wild count ends as a claim that the judge reads, not as a
+ * crash. */
+void write_table(struct writer *writer, const void *table, int64_t count, size_t element_bytes);
 
 #endif
