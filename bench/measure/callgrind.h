@@ -1,0 +1,61 @@
+/* What valgrind's callgrind counted around one call: its dump, read from memory.
+ *
+ * The counts repeat bit for bit when program, input, arguments and environment are the same. The
+ * run that gives one dump a call, with counts of that call alone:
+ *
+ *     valgrind -q --tool=callgrind --vgdb=no --collect-atstart=no --cache-sim=yes
+ *       --I1=32768,8,64 --D1=32768,8,64 --LL=8388608,16,64 --callgrind-out-file=counts program
+ *
+ * where the program does CALLGRIND_TOGGLE_COLLECT before and after the call and then
+ * CALLGRIND_DUMP_STATS_AT("label"): counts.1, counts.2, ... are the calls; the file without a
+ * number is the end of the program and counts nothing.
+ *
+ * Source: "Callgrind Format Specification" in valgrind's manual. */
+#ifndef BENCH_MEASURE_CALLGRIND_H
+#define BENCH_MEASURE_CALLGRIND_H
+
+#include "reference/mesh/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct callgrind_counts {
+    int64_t instructions; /* Ir */
+    int64_t data_reads;   /* Dr */
+    int64_t data_writes;  /* Dw */
+    int64_t l1_misses;    /* I1mr + D1mr + D1mw */
+    int64_t ll_misses;    /* ILmr + DLmr + DLmw: misses of the last level */
+};
+
+enum { CALLGRIND_HOTTEST = 8, CALLGRIND_NAME = 96 };
+
+struct callgrind_function {
+    char name[CALLGRIND_NAME]; /* printable ASCII, cut when longer; untrusted text */
+    int64_t instructions;      /* executed by the function itself, not by what it calls */
+};
+
+struct callgrind_dump {
+    int64_t part;    /* 1, 2, ...: the how-manieth dump of the run */
+    char label[64];  /* of CALLGRIND_DUMP_STATS_AT, "" when something else dumped */
+    bool has_misses; /* false: no cache simulation, and all but instructions are 0 */
+    struct callgrind_counts counts;
+    int hottest_count; /* functions with instructions of their own, most first */
+    struct callgrind_function hottest[CALLGRIND_HOTTEST];
+};
+
+/* Reads one dump (one file: dumps combined into one file are refused).
+ *
+ * text, bytes  the file; need not end in a newline or zero; may be hostile
+ * returns      0, or -1 and *err (names the line): not a dump, no instruction count, a count above
+ *              10^15, more than 65,536 functions, out of memory
+ * Cost: one pass over the text; memory proportional to the largest function number. */
+int callgrind_parse(const char *text, size_t bytes, struct callgrind_dump *dump,
+                    struct error *err) MUST_CHECK;
+
+/* Counted cost: instructions + 10 first-level + 100 last-level misses, a stand-in for time that
+ * repeats exactly. Against time it is within a factor of 2 or so between honest algorithms, so it
+ * is one witness of two, never the only one. */
+int64_t callgrind_cost(const struct callgrind_counts *counts);
+
+#endif

@@ -1,0 +1,78 @@
+/* How counted work grows with the size of the input.
+ *
+ * The counts of instructions at sizes n, 2n, 4n, ... are fitted by a mixture with coefficients >= 0
+ *
+ *     c0 + c1 n + c2 n lg n + c3 n^1.5 + c4 n^2 (+ c5 n^3 when n^2 is allowed)
+ *
+ * least squares of the *relative* residuals, so that small sizes weigh as much as large ones. The
+ * share of each term of the work at the largest size then says what grows: one best-fitting class
+ * would call "sort, then a scan over 1/64 of all pairs" n lg n; the mixture shows its n^2 term.
+ *
+ * The allowed class is an upper bound. n and n lg n count as one class: over a few doublings they
+ * differ by less than honest algorithms do (cache-friendly hashing, early exits).
+ *
+ * What can be seen depends on the sizes. Seven doublings from 128 to 8192 find a scan over 1/16 to
+ * 1/64 of all pairs beside a sort (see tests/unit/test_growth.c, which holds the table); at 1/256
+ * the quadratic share is about 10 % and two more doublings are asked for. Finite sizes cannot tell
+ * more than "grows like ... on these inputs". */
+#ifndef BENCH_MEASURE_GROWTH_H
+#define BENCH_MEASURE_GROWTH_H
+
+#include "reference/mesh/error.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum growth_class {
+    GROWTH_CONSTANT,
+    GROWTH_N,
+    GROWTH_N_LG_N,
+    GROWTH_N_SQRT_N,
+    GROWTH_N_SQUARED,
+    GROWTH_N_CUBED, /* found, never allowed */
+    GROWTH_CLASS_COUNT
+};
+
+/* "1", "n", "n lg n", "n^1.5", "n^2", "n^3": the names in exercise.json and in results. */
+const char *growth_class_name(enum growth_class class);
+
+/* The class of that name. Returns 0, or -1 when there is none that can be allowed. */
+int growth_class_find(const char *name, enum growth_class *class) MUST_CHECK;
+
+enum growth_decision {
+    GROWTH_PASS,
+    GROWTH_FAIL,
+    GROWTH_UNDECIDED /* measure two more doublings and fit all sizes again, with `last` */
+};
+
+enum { GROWTH_SIZES_MIN = 4, GROWTH_SIZES_MAX = 24 };
+
+struct growth_fit {
+    enum growth_decision decision;
+    enum growth_class class;                /* for people: the largest class that matters */
+    double exponent;                        /* slope of log count over log n, top four sizes */
+    double excess;                          /* share of the terms above `allowed` at the largest
+                                               size, 0..1 */
+    double share[GROWTH_CLASS_COUNT];       /* of each term at the largest size; sums to about 1 */
+    double coefficient[GROWTH_CLASS_COUNT]; /* instructions */
+    double residual;                        /* root mean square of the relative residuals */
+    int first_used;                         /* sizes before this one were left out, because there
+                                               the constant term was above 20 % */
+};
+
+/* Fits and decides.
+ *
+ * sizes, counts  `count` of each, GROWTH_SIZES_MIN..MAX; sizes rising and > 0, counts > 0
+ * allowed        upper bound, not GROWTH_N_CUBED
+ * last           false: excess <= 10 % passes, >= 25 % fails, UNDECIDED between;
+ *                true: >= 15 % fails, else passes
+ * Where the fit is bad (residual above 3 %: counts that jump, as of a table that doubles out of
+ * step with the sizes) a failure also needs the exponent to stand 0.25 above the allowed class;
+ * otherwise UNDECIDED, and in the last round PASS: doubt counts for the student.
+ *
+ * returns        0, or -1 and *err for arguments out of range
+ * Cost: 64 small least squares, some 50 us. */
+int growth_fit(const int64_t *sizes, const int64_t *counts, int count, enum growth_class allowed,
+               bool last, struct growth_fit *fit, struct error *err) MUST_CHECK;
+
+#endif
