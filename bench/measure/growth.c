@@ -1,0 +1,257 @@
+/* The growth fit; see growth.h.
+ *
+ * Non-negative least squares of at most six unknowns: the best non-negative solution is the plain
+ * least-squares solution on the terms that are not zero in it, so all 2^6 choices of terms are
+ * tried. No iteration, no tolerance, nothing to converge. */
+#include "bench/measure/growth.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { CLASSES = GROWTH_CLASS_COUNT, SIZES = GROWTH_SIZES_MAX };
+
+static const double PASS_SHARE = 0.10, FAIL_SHARE = 0.25, LAST_SHARE = 0.15;
+static const double CONSTANT_SHARE_MAX = 0.20, RESIDUAL_MAX = 0.03, EXPONENT_MARGIN = 0.5,
+                    LAST_MARGIN = 0.25;
+
+/* Better by less than this (of the residual's square, which is at most 1 a size) is no better: then
+ * fewer terms win. Rounding is some 1e-20. */
+static const double RESIDUAL_STEP = 1e-13;
+
+static const struct {
+    const char *name;
+    double exponent;
+} classes[CLASSES] = {{"1", 0}, {"n", 1}, {"n lg n", 1}, {"n^1.5", 1.5}, {"n^2", 2}, {"n^3", 3}};
+
+const char *growth_class_name(enum growth_class class)
+{
+    return classes[class].name;
+}
+
+int growth_class_find(const char *name, enum growth_class *class)
+{
+    for (int i = 0; i < GROWTH_N_CUBED; i++)
+        if (strcmp(name, classes[i].name) == 0) {
+            *class = (enum growth_class)i;
+            return 0;
+        }
+    return -1;
+}
+
+static double growth_term(int class, double n)
+{
+    switch (class) {
+    case GROWTH_CONSTANT:
+        return 1;
+    case GROWTH_N:
+        return n;
+    case GROWTH_N_LG_N:
+        return n * log2(n);
+    case GROWTH_N_SQRT_N:
+        return n * sqrt(n);
+    case GROWTH_N_SQUARED:
+        return n * n;
+    default:
+        return n * n * n;
+    }
+}
+
+/* The measured points and the mixture that was found for them. */
+struct mixture {
+    int count;
+    double n[SIZES], y[SIZES];
+    double coefficient[CLASSES];
+    double residual; /* sum of squared relative residuals */
+};
+
+/* Least squares of sum_k c_k column_k against 1 for the terms in `chosen`, by modified Gram-Schmidt
+ * with columns scaled to length 1. Returns false when they are dependent or a coefficient is not
+ * positive. */
+static bool solve(const struct mixture *m, unsigned chosen, double coefficient[CLASSES],
+                  double *residual)
+{
+    double column[CLASSES][SIZES], r[CLASSES][CLASSES], scale[CLASSES], projection[CLASSES];
+    double left[SIZES];
+    int class[CLASSES], terms = 0;
+    for (int i = 0; i < m->count; i++)
+        left[i] = 1;
+    for (int k = 0; k < CLASSES; k++) {
+        if (!(chosen >> k & 1))
+            continue;
+        double *q = column[terms], square = 0;
+        for (int i = 0; i < m->count; i++) {
+            q[i] = growth_term(k, m->n[i]) / m->y[i];
+            square += q[i] * q[i];
+        }
+        scale[terms] = 1 / sqrt(square);
+        for (int i = 0; i < m->count; i++)
+            q[i] *= scale[terms];
+        for (int j = 0; j < terms; j++) {
+            r[j][terms] = 0;
+            for (int i = 0; i < m->count; i++)
+                r[j][terms] += column[j][i] * q[i];
+            for (int i = 0; i < m->count; i++)
+                q[i] -= r[j][terms] * column[j][i];
+        }
+        square = 0;
+        for (int i = 0; i < m->count; i++)
+            square += q[i] * q[i];
+        if (!(square > 1e-20))
+            return false;
+        r[terms][terms] = sqrt(square);
+        projection[terms] = 0;
+        for (int i = 0; i < m->count; i++) {
+            q[i] /= r[terms][terms];
+            projection[terms] += q[i] * left[i];
+        }
+        for (int i = 0; i < m->count; i++)
+            left[i] -= projection[terms] * q[i];
+        class[terms++] = k;
+    }
+    *residual = 0;
+    for (int i = 0; i < m->count; i++)
+        *residual += left[i] * left[i];
+    for (int k = 0; k < CLASSES; k++)
+        coefficient[k] = 0;
+    double x[CLASSES];
+    for (int k = terms - 1; k >= 0; k--) {
+        x[k] = projection[k];
+        for (int j = k + 1; j < terms; j++)
+            x[k] -= r[k][j] * x[j];
+        x[k] /= r[k][k];
+        if (!(x[k] > 0))
+            return false;
+        coefficient[class[k]] = x[k] * scale[k];
+    }
+    return true;
+}
+
+/* Finds the best mixture of the terms in `offered`. */
+static void fit_mixture(struct mixture *m, unsigned offered)
+{
+    m->residual = DBL_MAX;
+    for (int terms = 1; terms <= CLASSES; terms++)
+        for (unsigned chosen = 1; chosen < 1U << CLASSES; chosen++) {
+            double coefficient[CLASSES], residual;
+            if ((chosen & ~offered) || __builtin_popcount(chosen) != terms || terms > m->count)
+                continue;
+            if (solve(m, chosen, coefficient, &residual) &&
+                residual < m->residual - RESIDUAL_STEP) {
+                m->residual = residual;
+                memcpy(m->coefficient, coefficient, sizeof coefficient);
+            }
+        }
+}
+
+static void take_points(struct mixture *m, const int64_t *sizes, const int64_t *counts, int first,
+                        int count)
+{
+    *m = (struct mixture){.count = count - first};
+    for (int i = first; i < count; i++) {
+        m->n[i - first] = (double)sizes[i];
+        m->y[i - first] = (double)counts[i];
+    }
+}
+
+/* Slope of log count over log n, over the top four sizes. */
+static double top_slope(const struct mixture *m)
+{
+    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+    int first = m->count - GROWTH_SIZES_MIN;
+    for (int i = first; i < m->count; i++) {
+        mean_x += log(m->n[i]) / GROWTH_SIZES_MIN;
+        mean_y += log(m->y[i]) / GROWTH_SIZES_MIN;
+    }
+    for (int i = first; i < m->count; i++) {
+        double x = log(m->n[i]) - mean_x;
+        xx += x * x;
+        xy += x * (log(m->y[i]) - mean_y);
+    }
+    return xy / xx;
+}
+
+/* n and n lg n are one class. */
+static int upper_bound(enum growth_class allowed)
+{
+    return allowed == GROWTH_N ? GROWTH_N_LG_N : (int)allowed;
+}
+
+static enum growth_decision decide(const struct growth_fit *fit, int bound, bool last)
+{
+    if (fit->excess <= PASS_SHARE || (last && fit->excess < LAST_SHARE))
+        return GROWTH_PASS;
+    double margin = last ? LAST_MARGIN : EXPONENT_MARGIN;
+    if (fit->residual > RESIDUAL_MAX && fit->exponent < classes[bound].exponent + margin)
+        return last ? GROWTH_PASS : GROWTH_UNDECIDED;
+    return last || fit->excess >= FAIL_SHARE ? GROWTH_FAIL : GROWTH_UNDECIDED;
+}
+
+/* The largest class that, with those above it, does enough of the work to matter; never one that
+ * contradicts the decision. */
+static enum growth_class label(const struct growth_fit *fit, int bound)
+{
+    double share = 0;
+    int class = GROWTH_N_CUBED, largest = bound;
+    while (class > GROWTH_CONSTANT && (share += fit->share[class]) < PASS_SHARE)
+        class --;
+    if (fit->decision == GROWTH_PASS && class > bound)
+        return (enum growth_class)bound;
+    for (int k = bound + 1; k < CLASSES; k++)
+        if (largest == bound || fit->share[k] > fit->share[largest])
+            largest = k;
+    if (fit->decision == GROWTH_FAIL && class <= bound)
+        return (enum growth_class)largest;
+    return (enum growth_class) class;
+}
+
+static int check(const int64_t *sizes, const int64_t *counts, int count, enum growth_class allowed,
+                 struct error *err)
+{
+    if (count < GROWTH_SIZES_MIN || count > GROWTH_SIZES_MAX)
+        return error_set(err, "growth: %d sizes; %d to %d are needed", count, GROWTH_SIZES_MIN,
+                         GROWTH_SIZES_MAX);
+    if (allowed >= GROWTH_N_CUBED)
+        return error_set(err, "growth: n^2 is the largest class that can be allowed");
+    for (int i = 0; i < count; i++)
+        if (sizes[i] <= (i ? sizes[i - 1] : 0) || counts[i] <= 0)
+            return error_set(err, "growth: size %d of %d: sizes must rise and counts be positive",
+                             i + 1, count);
+    return 0;
+}
+
+int growth_fit(const int64_t *sizes, const int64_t *counts, int count, enum growth_class allowed,
+               bool last, struct growth_fit *fit, struct error *err)
+{
+    *fit = (struct growth_fit){0};
+    if (check(sizes, counts, count, allowed, err))
+        return -1;
+    unsigned offered = (1U << (allowed >= GROWTH_N_SQUARED ? CLASSES : GROWTH_N_CUBED)) - 1;
+    struct mixture m;
+    take_points(&m, sizes, counts, 0, count);
+    fit_mixture(&m, offered);
+    double constant = m.coefficient[GROWTH_CONSTANT];
+    while (allowed != GROWTH_CONSTANT && count - fit->first_used > GROWTH_SIZES_MIN &&
+           constant > CONSTANT_SHARE_MAX * (double)counts[fit->first_used])
+        fit->first_used++;
+    if (fit->first_used > 0) {
+        take_points(&m, sizes, counts, fit->first_used, count);
+        fit_mixture(&m, offered);
+    }
+    int bound = upper_bound(allowed);
+    double total = 0;
+    for (int k = 0; k < CLASSES; k++) {
+        fit->coefficient[k] = m.coefficient[k];
+        fit->share[k] = m.coefficient[k] * growth_term(k, m.n[m.count - 1]);
+        total += fit->share[k];
+    }
+    for (int k = 0; k < CLASSES; k++) {
+        fit->share[k] /= total;
+        fit->excess += k > bound ? fit->share[k] : 0;
+    }
+    fit->residual = sqrt(m.residual / m.count);
+    fit->exponent = top_slope(&m);
+    fit->decision = decide(fit, bound, last);
+    fit->class = label(fit, bound);
+    return 0;
+}
