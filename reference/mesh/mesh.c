@@ -69,3 +69,8 @@ int mesh_check(const struct mesh *mesh, struct error *err)
                              mesh->vertex_count);
     return 0;
 }
+
+int64_t mesh_bytes(int64_t vertex_count, int64_t triangle_count)
+{
+    return 12 * vertex_count + 12 * triangle_count;
+}
