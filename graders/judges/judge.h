@@ -32,6 +32,7 @@ struct judge_case {
 struct usage {
     int64_t heap_peak_bytes; /* most bytes requested and not yet freed, during the call */
     int64_t heap_held_bytes; /* bytes that the call allocated and had not freed when it returned */
+    int64_t heap_left_bytes; /* of these, not freed after all that was returned was freed: leaked */
     int64_t allocation_count;
     bool known; /* false: not measured in this run, judge without it */
 };

@@ -127,9 +127,9 @@ static void take_answer(const struct regions *regions, struct submission_answer 
     answer->end = control->out_of_memory ? SUBMISSION_OUT_OF_MEMORY : SUBMISSION_ANSWERED;
     answer->usage = (struct usage){.heap_peak_bytes = control->heap_peak_bytes,
                                    .heap_held_bytes = control->heap_held_bytes,
+                                   .heap_left_bytes = control->heap_left_bytes,
                                    .allocation_count = control->allocation_count,
                                    .known = true};
-    answer->left_bytes = control->heap_left_bytes;
     answer->bad_free_count = control->bad_free_count;
     answer->count = control->answer_bytes < control->answer_capacity ? control->answer_bytes
                                                                      : control->answer_capacity;

@@ -106,7 +106,7 @@ static bool run_and_judge(const struct check *check, const struct submission *su
     struct judgement judgement = {0};
     struct error err = {0};
     submission_run(submission, span, check->judge->answer_bound(span), 0, &answer);
-    outcome->left_something |= answer.left_bytes != 0;
+    outcome->left_something |= answer.usage.heap_left_bytes != 0;
     outcome->freed_wildly |= answer.bad_free_count != 0;
     if (answer.end == SUBMISSION_ANSWERED) {
         struct span bytes = {answer.bytes, answer.count};
@@ -166,7 +166,8 @@ static void check_failing_allocations(struct check *check, const struct submissi
             struct submission_answer answer;
             submission_run(submission, span, check->judge->answer_bound(span), failing, &answer);
             bool reached = answer.usage.allocation_count >= failing;
-            if (answer.end == SUBMISSION_DIED || answer.left_bytes || answer.bad_free_count)
+            if (answer.end == SUBMISSION_DIED || answer.usage.heap_left_bytes ||
+                answer.bad_free_count)
                 complain(check, "%s, case %s: allocation %d fails: %s", source, c->name,
                          (int)failing, answer.end == SUBMISSION_DIED ? "it dies" : "it leaks");
             submission_answer_release(&answer);
