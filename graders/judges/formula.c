@@ -1,0 +1,189 @@
+/* Formulas, numbers and sizes; see formula.h. */
+#include "graders/judges/formula.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { PLACE_BYTES = 96 };
+
+/* ----------------------------------------------------------------- formulas */
+
+static int64_t right_at(const struct formula *formula, const int32_t *rows, int64_t row)
+{
+    return formula->value(rows[2 * row], rows[2 * row + 1]);
+}
+
+static bool all_wrapped(const struct formula *formula, const int32_t *rows, int64_t row_count,
+                        const int64_t *answers)
+{
+    for (int64_t i = 0; i < row_count; i++) {
+        uint32_t low = (uint32_t)((uint64_t)right_at(formula, rows, i) & UINT32_MAX);
+        int64_t as_signed = low > INT32_MAX ? (int64_t)low - ((int64_t)1 << 32) : (int64_t)low;
+        if (answers[i] != low && answers[i] != as_signed)
+            return false;
+    }
+    return true;
+}
+
+static bool all_rounded(const struct formula *formula, const int32_t *rows, int64_t row_count,
+                        const int64_t *answers)
+{
+    for (int64_t i = 0; i < row_count; i++) {
+        double right = (double)right_at(formula, rows, i);
+        if (!(fabs((double)answers[i] - right) <= 1e-6 * right))
+            return false;
+    }
+    return true;
+}
+
+static const struct formula_mistake *find_mistake(const struct formula *formula,
+                                                  const int32_t *rows, int64_t row_count,
+                                                  const int64_t *answers)
+{
+    static const struct formula_mistake wrapped = {
+        "overflow", NULL,
+        "The value does not fit into 32 bits: multiply after widening to int64_t.",
+        "El valor no cabe en 32 bits: convierte a int64_t antes de multiplicar."};
+    static const struct formula_mistake rounded = {
+        "rounded", NULL,
+        "It is almost right: it was rounded, perhaps by float or double. Use only int64_t.",
+        "Es casi correcto: se ha redondeado, quizá por usar float o double. Usa solo int64_t."};
+    const struct formula_mistake *mistake = formula->mistakes;
+    for (; mistake && mistake->cause; mistake++) {
+        int64_t i = 0;
+        while (i < row_count && answers[i] == mistake->value(rows[2 * i], rows[2 * i + 1]))
+            i++;
+        if (i == row_count)
+            return mistake;
+    }
+    if (all_wrapped(formula, rows, row_count, answers))
+        return &wrapped;
+    return all_rounded(formula, rows, row_count, answers) ? &rounded : NULL;
+}
+
+static void name_place(const struct formula *formula, const int32_t *row, char *place)
+{
+    if (formula->parameter[1])
+        snprintf(place, PLACE_BYTES, "%s = %d, %s = %d", formula->parameter[0], row[0],
+                 formula->parameter[1], row[1]);
+    else
+        snprintf(place, PLACE_BYTES, "%s = %d", formula->parameter[0], row[0]);
+}
+
+/* Growth exponent between the first and the last point, 0 when there are not two. */
+static double slope(const double *x, const double *y, int count)
+{
+    if (count < 2 || !(x[count - 1] > x[0]))
+        return 0;
+    return log(y[count - 1] / y[0]) / log(x[count - 1] / x[0]);
+}
+
+/* Adds one curve over the rows that may be drawn; a value that is not positive is left out. */
+static int add_curve(struct scene *scene, const char *name, const struct formula *formula,
+                     const int32_t *rows, int64_t row_count, const int64_t *answers,
+                     struct error *err)
+{
+    double *x = malloc(2 * sizeof *x * (size_t)(row_count + 1));
+    if (!x)
+        return error_set(err, "out of memory for a chart of %" PRId64 " points", row_count);
+    double *y = x + row_count + 1;
+    int count = 0;
+    for (int64_t i = 0; i < row_count; i++) {
+        int64_t value = answers ? answers[i] : right_at(formula, rows, i);
+        if ((formula->parameter[1] && rows[2 * i] != rows[2 * i + 1]) || value <= 0)
+            continue;
+        x[count] = rows[2 * i];
+        y[count++] = (double)value;
+    }
+    int failed = 0;
+    if (count > 0)
+        failed = scene_add_curve(scene, name, x, y, count, slope(x, y, count), err);
+    free(x);
+    return failed;
+}
+
+static int show_curves(const struct formula *formula, const int32_t *rows, int64_t row_count,
+                       const int64_t *answers, struct scene *scene, struct error *err)
+{
+    if (formula->parameter[1])
+        snprintf(scene->x_label, sizeof scene->x_label, "%s = %s", formula->parameter[0],
+                 formula->parameter[1]);
+    else
+        snprintf(scene->x_label, sizeof scene->x_label, "%s", formula->parameter[0]);
+    snprintf(scene->y_label, sizeof scene->y_label, "%s", formula->unit);
+    if (add_curve(scene, "submission", formula, rows, row_count, answers, err))
+        return -1;
+    return add_curve(scene, "right", formula, rows, row_count, NULL, err);
+}
+
+int formula_judge(const struct formula *formula, const int32_t *rows, int64_t row_count,
+                  const int64_t *answers, struct judgement *out, struct error *err)
+{
+    int64_t first = 0;
+    while (first < row_count && answers[first] == right_at(formula, rows, first))
+        first++;
+    if (first == row_count) {
+        judge_accept(out);
+        return 0;
+    }
+    const struct formula_mistake *mistake = find_mistake(formula, rows, row_count, answers);
+    char place[PLACE_BYTES];
+    name_place(formula, rows + 2 * first, place);
+    judge_name_element(out, "%s", place);
+    int64_t right = right_at(formula, rows, first);
+    judge_reject(out, mistake ? mistake->cause : "wrong-formula",
+                 "%s for %s: %" PRId64 " %s%.0s, right is %" PRId64 ". %s%.0s",
+                 "%s para %s: %" PRId64 " %.0s%s, lo correcto es %" PRId64 ". %.0s%s",
+                 formula->function, place, answers[first], formula->unit, formula->unit_es, right,
+                 mistake ? mistake->hint : "", mistake ? mistake->hint_es : "");
+    return show_curves(formula, rows, row_count, answers, &out->scene, err);
+}
+
+/* ------------------------------------------------------------------ numbers */
+
+void number_judge(const struct number *number, double answer, struct judgement *out)
+{
+    if (fabs(answer - number->value) <= number->tolerance) {
+        judge_accept(out);
+        return;
+    }
+    const struct number_mistake *mistake = number->mistakes;
+    while (mistake && mistake->cause && !(fabs(answer - mistake->value) <= number->tolerance))
+        mistake++;
+    bool known = mistake && mistake->cause;
+    judge_name_element(out, "%s", number->function);
+    judge_reject(out, known ? mistake->cause : "wrong-number", "%s says %.10g. %s%.0s %s%.0s",
+                 "%s dice %.10g. %.0s%s %.0s%s", number->function, answer, number->rule,
+                 number->rule_es, known ? mistake->hint : "", known ? mistake->hint_es : "");
+}
+
+/* -------------------------------------------------------------------- sizes */
+
+void size_judge(const struct size_claim *claim, const struct usage *usage, struct judgement *out)
+{
+    int64_t measured = 0;
+    bool fits = true;
+    if (usage->known)
+        fits = !__builtin_sub_overflow(usage->heap_held_bytes, usage->heap_left_bytes, &measured) &&
+               !__builtin_add_overflow(measured, claim->outside_bytes, &measured);
+    if (usage->known && (!fits || measured != claim->right_bytes)) {
+        judge_reject(out, "measured-size",
+                     "%s built a structure of %" PRId64 " bytes (measured); %s says %" PRId64
+                     ", and the tables take %" PRId64 ".",
+                     "%s ha construido una estructura de %" PRId64
+                     " bytes (medidos); %s dice %" PRId64 " y las tablas ocupan %" PRId64 ".",
+                     claim->builder, measured, claim->formula, claim->own_bytes,
+                     claim->right_bytes);
+        return;
+    }
+    if (claim->own_bytes != claim->right_bytes) {
+        judge_reject(out, "formula-differs",
+                     "%s says %" PRId64 " bytes, but what %s built takes %" PRId64 ".",
+                     "%s dice %" PRId64 " bytes, pero lo que %s ha construido ocupa %" PRId64 ".",
+                     claim->formula, claim->own_bytes, claim->builder, claim->right_bytes);
+        return;
+    }
+    judge_accept(out);
+}

@@ -1,0 +1,21 @@
+/* Showing what a student returned: tables that may hold anything become a scene that may be drawn.
+ */
+#ifndef GRADERS_JUDGES_SHOW_H
+#define GRADERS_JUDGES_SHOW_H
+
+#include "graders/judges/scene.h"
+
+/* Puts a mesh into the scene as scene_set_mesh does, but leaves out triangles with an index out of
+ * range and puts coordinates that are not finite, or are beyond 1000, to zero. Tables may be NULL
+ * with a count of 0. Returns 0, or -1 and *err (out of memory). */
+int show_mesh(struct scene *scene, const float *positions, int64_t vertex_count,
+              const int32_t *triangles, int64_t triangle_count, struct error *err) MUST_CHECK;
+
+/* The same for one strip more. */
+int show_strip(struct scene *scene, const float *positions, int64_t vertex_count,
+               struct error *err) MUST_CHECK;
+
+/* Whether all three indices of a triangle are in [0, vertex_count). */
+bool triangle_in_range(const int32_t *triangle, int64_t vertex_count);
+
+#endif
