@@ -65,7 +65,6 @@ int exercises_read(const char *root, struct exercise **exercises, int *count,
                    struct error *err) MUST_CHECK;
 
 /* NULL when there is none of that name. */
-const struct exercise *exercise_find(const struct exercise *exercises, int count,
-                                     const char *name);
+const struct exercise *exercise_find(const struct exercise *exercises, int count, const char *name);
 
 #endif

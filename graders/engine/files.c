@@ -43,8 +43,8 @@ static int read_descriptor(int descriptor, const char *name, size_t limit, char 
     if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
         error_set(err, "%s: not a regular file", name);
     else if ((uint64_t)status.st_size > limit)
-        error_set(err, "%s: %lld bytes, more than the %zu allowed", name,
-                  (long long)status.st_size, limit);
+        error_set(err, "%s: %lld bytes, more than the %zu allowed", name, (long long)status.st_size,
+                  limit);
     else if (!(buffer = malloc((size_t)status.st_size + 1)))
         error_set(err, "%s: out of memory", name);
     else
@@ -65,15 +65,15 @@ int file_read(const char *path, size_t limit, char **bytes, size_t *count, struc
     return read_descriptor(descriptor, path, limit, bytes, count, err);
 }
 
-int file_read_below(const char *folder, const char *name, size_t limit, char **bytes,
-                    size_t *count, struct error *err)
+int file_read_below(const char *folder, const char *name, size_t limit, char **bytes, size_t *count,
+                    struct error *err)
 {
     int below = open(folder, O_PATH | O_DIRECTORY | O_CLOEXEC);
     if (below < 0)
         return error_set(err, "%s: %s", folder, strerror(errno));
     struct open_how how = {.flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK,
-                           .resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS |
-                                      RESOLVE_NO_MAGICLINKS};
+                           .resolve =
+                               RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS | RESOLVE_NO_MAGICLINKS};
     int descriptor = (int)syscall(SYS_openat2, below, name, &how, sizeof how);
     int failure = errno;
     close(below);
@@ -132,17 +132,32 @@ void folder_remove(const char *path)
     nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS | FTW_MOUNT);
 }
 
-int folder_make_scratch(char *path, struct error *err)
+int folder_make_work(char *path, struct error *err)
 {
     const char *base = getenv("TMPDIR");
     if (!base || base[0] != '/')
         base = "/tmp";
-    if (snprintf(path, PATH_MAX, "%s/meshgrade-XXXXXX", base) >= PATH_MAX)
+    if (snprintf(path, PATH_MAX - 8, "%s/meshgrade-XXXXXX", base) >= PATH_MAX - 8)
         return error_set(err, "TMPDIR: the path is too long");
-    if (!mkdtemp(path))
+    if (!mkdtemp(path)) {
+        path[0] = '\0';
         return error_set(err, "%s: %s (set TMPDIR to a folder that can be written)", base,
                          strerror(errno));
+    }
+    strcat(path, "/work");
+    if (mkdir(path, 0755) != 0)
+        return error_set(err, "%s: %s", path, strerror(errno));
     return 0;
+}
+
+void folder_remove_work(char *path)
+{
+    char *slash = strrchr(path, '/');
+    if (!slash)
+        return;
+    *slash = '\0';
+    folder_remove(path);
+    path[0] = '\0';
 }
 
 static bool is_root(const char *folder)

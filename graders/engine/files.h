@@ -16,8 +16,8 @@ int file_read(const char *path, size_t limit, char **bytes, size_t *count,
 
 /* As file_read, for a file that hostile code may have made: `name` is opened below `folder` without
  * leaving it and without following any link. */
-int file_read_below(const char *folder, const char *name, size_t limit, char **bytes,
-                    size_t *count, struct error *err) MUST_CHECK;
+int file_read_below(const char *folder, const char *name, size_t limit, char **bytes, size_t *count,
+                    struct error *err) MUST_CHECK;
 
 /* Writes a file whole: into a new file beside it, which then takes its name. */
 int file_write(const char *path, const void *bytes, size_t count, struct error *err) MUST_CHECK;
@@ -28,10 +28,14 @@ int folder_make(const char *path, struct error *err) MUST_CHECK;
 /* Removes a folder and all below it; links are removed, not followed. */
 void folder_remove(const char *path);
 
-/* Makes a fresh private folder for scratch work below $TMPDIR or /tmp.
+/* Makes a fresh folder "work" inside a private one (mode 0700) below $TMPDIR or /tmp: a box may be
+ * given the inner one, and no other user reaches it.
  *
- * path     PATH_MAX bytes; the folder's absolute name */
-int folder_make_scratch(char *path, struct error *err) MUST_CHECK;
+ * path     PATH_MAX bytes; the inner folder's absolute name */
+int folder_make_work(char *path, struct error *err) MUST_CHECK;
+
+/* Removes both, and empties `path`. The empty path is left alone. */
+void folder_remove_work(char *path);
 
 /* The project's folder, where exercises/ and graders/ stand: found above the running program, or
  * named by MESHGRADE_ROOT. Returns NULL and *err when there is none. The text lives for ever. */

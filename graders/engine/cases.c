@@ -1,0 +1,84 @@
+/* The cases of a trial: each in a fresh box; see trial.h. */
+#include "graders/engine/trial.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { TIME_LIMITS_TO_STOP = 2 };
+static const int64_t IDLE_LIMIT_NS = 2000000000;
+
+static bool in_scope(const struct judge_case *c, const struct trial_scope *scope)
+{
+    if (scope->only_case)
+        return strcmp(c->name, scope->only_case) == 0;
+    return (!scope->public_only || c->is_public) && (!scope->quick || c->is_quick);
+}
+
+static bool is_time_limit(enum verdict verdict)
+{
+    return verdict == VERDICT_CPU_TIME || verdict == VERDICT_IDLE_TIME;
+}
+
+/* A limit of time counts only when it is broken again in a fresh process. */
+static int run_case(struct trial *trial, size_t index, bool confirm, struct attempt *attempt,
+                    struct error *err)
+{
+    const struct input *input;
+    if (yardstick_case(trial->yardstick, index, &input, err) != 0)
+        return -1;
+    struct call_limits limits = {yardstick_cpu_limit_ns(trial->yardstick, index), IDLE_LIMIT_NS};
+    if (attempt_run(trial->yardstick, &trial->build, input, &limits, MODE_PLAIN, 0, attempt, err) !=
+        0)
+        return -1;
+    if (!confirm || !is_time_limit(attempt->verdict))
+        return 0;
+    attempt_release(attempt);
+    return attempt_run(trial->yardstick, &trial->build, input, &limits, MODE_PLAIN, 0, attempt,
+                       err);
+}
+
+static void remember_surroundings(struct trial *trial, const struct attempt *attempt)
+{
+    trial->active_layers = attempt->outcome.active;
+    memcpy(trial->layer_reason, attempt->outcome.reason, sizeof trial->layer_reason);
+    if (!trial->output[0])
+        snprintf(trial->output, sizeof trial->output, "%s", attempt->output);
+}
+
+int trial_run_cases(struct trial *trial, const struct trial_scope *scope, struct error *err)
+{
+    const struct judge *judge = trial->yardstick->judge;
+    int time_limits = 0;
+    for (size_t i = 0; i < judge->case_count; i++) {
+        struct attempt *attempt = &trial->cases[i].attempt;
+        if (!in_scope(&judge->cases[i], scope))
+            continue;
+        trial->cases[i].run = true;
+        if (time_limits >= TIME_LIMITS_TO_STOP) {
+            attempt_say(attempt, VERDICT_NOT_REACHED, "not-reached",
+                        "Not run: %d cases before it did not end in time.",
+                        "No se ejecutó: %d casos anteriores no terminaron a tiempo.", time_limits);
+            continue;
+        }
+        if (run_case(trial, i, time_limits == 0, attempt, err) != 0)
+            return -1;
+        time_limits += is_time_limit(attempt->verdict);
+        remember_surroundings(trial, attempt);
+    }
+    return 0;
+}
+
+bool trial_basic_class_passed(const struct trial *trial)
+{
+    const struct judge *judge = trial->yardstick->judge;
+    const char *basic = trial->yardstick->exercise->classes[0].name;
+    bool any = false;
+    for (size_t i = 0; i < judge->case_count; i++) {
+        if (!trial->cases[i].run || strcmp(judge->cases[i].class_name, basic) != 0)
+            continue;
+        if (trial->cases[i].attempt.verdict != VERDICT_PASSED)
+            return false;
+        any = true;
+    }
+    return any;
+}

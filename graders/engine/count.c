@@ -1,0 +1,146 @@
+/* Measures memory and work on sized inputs; see count.h. */
+#include "graders/engine/count.h"
+
+#include "graders/engine/files.h"
+#include "graders/engine/series.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum {
+    DUMP_LIMIT_BYTES = 16 << 20,
+    SIZES_BEFORE_HOPELESS = 4,
+    HOPELESS_RATIO = 50 /* cost over the reference's ... */
+};
+static const double HOPELESS_RISE = 2.83; /* ... while a doubling costs more than n^1.5 would */
+
+static const struct call_limits native_limits = {10000000000LL, 2000000000LL};
+static const struct call_limits counted_limits = {120000000000LL, 10000000000LL};
+
+bool count_available(char *reason, size_t capacity)
+{
+    bool found = access("/usr/bin/valgrind", X_OK) == 0;
+    snprintf(reason, capacity, "%s",
+             found ? "" : "valgrind is not installed (apt-get install valgrind)");
+    return found;
+}
+
+/* The sized inputs of one family that are to be measured. */
+struct range {
+    struct yardstick *yardstick;
+    int family, first, last;
+};
+
+static int start(const struct range *range, const struct build *build, enum series_tool tool,
+                 struct series *series, struct error *err)
+{
+    struct series_plan plan = {.yardstick = range->yardstick,
+                               .build = build,
+                               .tool = tool,
+                               .mode = tool == SERIES_PLAIN ? MODE_PAINT_STACK : MODE_PLAIN,
+                               .cpu = -1};
+    for (int i = range->first; i <= range->last; i++) {
+        const struct input *input;
+        if (yardstick_sized(range->yardstick, range->family, i, &input, err) != 0)
+            return -1;
+        if (input->bytes > plan.input_bytes)
+            plan.input_bytes = input->bytes;
+        if (input->answer_bound > plan.answer_bytes)
+            plan.answer_bytes = input->answer_bound;
+    }
+    return series_start(series, &plan, err);
+}
+
+/* Calls on one size and judges. Returns 0, or -1: a fault. `run->failure` tells. */
+static int measure_one(const struct range *range, struct series *series, int size_index,
+                       const struct call_limits *limits, struct count_run *run, struct error *err)
+{
+    const struct input *input;
+    if (yardstick_sized(range->yardstick, range->family, size_index, &input, err) != 0)
+        return -1;
+    if (series_call(series, input, 0, limits, &run->failure) != CALL_ANSWERED)
+        return 0;
+    return attempt_judge(range->yardstick, input, &series->session, &run->failure, err);
+}
+
+static int read_memory(const struct series *series, int part, struct cost *cost, struct error *err)
+{
+    const struct control *claims = &series->session.claims;
+    (void)part;
+    (void)err;
+    cost->heap_peak_bytes = claims->heap_peak_bytes;
+    cost->allocation_count = claims->allocation_count;
+    cost->stack_bytes = claims->stack_bytes;
+    return 0;
+}
+
+static int read_counts(const struct series *series, int part, struct cost *cost, struct error *err)
+{
+    char name[32];
+    char *text;
+    size_t bytes;
+    struct callgrind_dump dump;
+    snprintf(name, sizeof name, "counts.%d", part);
+    if (file_read_below(series->folder, name, DUMP_LIMIT_BYTES, &text, &bytes, err) != 0)
+        return -1;
+    int result = callgrind_parse(text, bytes, &dump, err);
+    free(text);
+    if (result != 0)
+        return -1;
+    cost->counts = dump.counts;
+    cost->counted = true;
+    return 0;
+}
+
+static bool is_hopeless(const struct cost *costs, const struct cost *reference, int i, int first)
+{
+    if (!reference || !costs[i].counted || i < first + SIZES_BEFORE_HOPELESS - 1)
+        return false;
+    double ratio = (double)callgrind_cost(&costs[i].counts) /
+                   (double)(callgrind_cost(&reference[i].counts) + 1);
+    double rise =
+        (double)costs[i].counts.instructions / (double)(costs[i - 1].counts.instructions + 1);
+    return ratio > HOPELESS_RATIO && rise > HOPELESS_RISE;
+}
+
+/* The common course of both measurements: `read` takes what one call has shown. */
+static int measure(const struct range *range, const struct build *build, enum series_tool tool,
+                   const struct cost *reference, struct cost *costs, struct count_run *run,
+                   struct error *err)
+{
+    struct series series;
+    const struct call_limits *limits = tool == SERIES_PLAIN ? &native_limits : &counted_limits;
+    memset(run, 0, sizeof *run);
+    run->failure.verdict = VERDICT_PASSED;
+    int result = start(range, build, tool, &series, err);
+    for (int i = range->first; i <= range->last && result == 0 && !run->hopeless; i++) {
+        result = measure_one(range, &series, i, limits, run, err);
+        if (result != 0 || series.end != CALL_ANSWERED || run->failure.verdict != VERDICT_PASSED)
+            break;
+        result = (tool == SERIES_PLAIN ? read_memory : read_counts)(&series, i - range->first + 1,
+                                                                    &costs[i], err);
+        run->done += result == 0;
+        run->hopeless = result == 0 && is_hopeless(costs, reference, i, range->first);
+    }
+    if (series.started && series_end(&series, &run->failure, err) != 0)
+        result = -1;
+    series_release(&series);
+    return result;
+}
+
+int count_memory(struct yardstick *yardstick, const struct build *build, int family, int first,
+                 int last, struct cost *costs, struct count_run *run, struct error *err)
+{
+    struct range range = {yardstick, family, first, last};
+    return measure(&range, build, SERIES_PLAIN, NULL, costs, run, err);
+}
+
+int count_work(struct yardstick *yardstick, const struct build *build, int family, int first,
+               int last, const struct cost *reference, struct cost *costs, struct count_run *run,
+               struct error *err)
+{
+    struct range range = {yardstick, family, first, last};
+    return measure(&range, build, SERIES_CALLGRIND, reference, costs, run, err);
+}

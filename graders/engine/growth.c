@@ -1,0 +1,227 @@
+/* The checks that rest on sized inputs: growth of the work, amount of work, peak of memory. */
+#include "graders/engine/trial.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    MEMORY_FLOOR_BYTES = 4096, /* so that a reference that allocates nothing can be divided by */
+    EXTRA_DOUBLINGS = 2
+};
+
+static const enum check_kind sized_checks[] = {CHECK_GROWTH, CHECK_WORK, CHECK_MEMORY};
+enum { SIZED_CHECKS = sizeof sized_checks / sizeof sized_checks[0] };
+
+/* --------------------------------------------------------------- measuring */
+
+/* A call on a sized input went wrong: no check that rests on it can pass. */
+static void blame_failure(struct trial *trial, int family, const struct count_run *run)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    const struct attempt *failure = &run->failure;
+    for (int i = 0; i < SIZED_CHECKS; i++) {
+        struct check_result *check = &trial->checks[sized_checks[i]];
+        check_say(check, failure->verdict, failure->cause, "With the input %s of size %lld: %s",
+                  "Con la entrada %s de tamaño %lld: %s", yardstick->judge->families[family],
+                  (long long)yardstick->sizes[run->done], failure->message);
+        snprintf(check->message_es, sizeof check->message_es,
+                 "Con la entrada %s de tamaño %lld: %s", yardstick->judge->families[family],
+                 (long long)yardstick->sizes[run->done], failure->message_es);
+    }
+}
+
+static int measure_memory(struct trial *trial, int family, bool *right, struct error *err)
+{
+    struct yardstick *yardstick = trial->yardstick;
+    struct count_run run;
+    int result = count_memory(yardstick, &trial->build, family, 0, yardstick->size_count - 1,
+                              trial->families[family].costs, &run, err);
+    *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
+    if (result == 0 && !*right)
+        blame_failure(trial, family, &run);
+    attempt_release(&run.failure);
+    return result;
+}
+
+static int count_sizes(struct trial *trial, int family, int first, int last, bool *right,
+                       struct error *err)
+{
+    struct family_result *found = &trial->families[family];
+    struct count_run run;
+    int result =
+        count_work(trial->yardstick, &trial->build, family, first, last,
+                   first == 0 ? trial->yardstick->costs[family] : NULL, found->costs, &run, err);
+    found->size_count = first + run.done;
+    found->hopeless = run.hopeless;
+    *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
+    if (result == 0 && !*right)
+        blame_failure(trial, family, &run);
+    attempt_release(&run.failure);
+    return result;
+}
+
+/* ------------------------------------------------------------------ growth */
+
+static int fit(struct trial *trial, int family, enum growth_class allowed, bool last,
+               struct error *err)
+{
+    struct family_result *found = &trial->families[family];
+    int64_t counts[SIZES_MAX];
+    for (int i = 0; i < found->size_count; i++)
+        counts[i] = found->costs[i].counts.instructions;
+    found->fitted = true;
+    return growth_fit(trial->yardstick->sizes, counts, found->size_count, allowed, last,
+                      &found->fit, err);
+}
+
+static int judge_growth(struct trial *trial, int family, bool *right, struct error *err)
+{
+    const struct exercise *exercise = trial->yardstick->exercise;
+    struct family_result *found = &trial->families[family];
+    struct check_result *check = &trial->checks[CHECK_GROWTH];
+    enum growth_class allowed;
+    if (growth_class_find(exercise->growth_allowed, &allowed) != 0)
+        return error_set(err, "exercise %s: growth: no class \"%s\"", exercise->name,
+                         exercise->growth_allowed);
+    if (fit(trial, family, allowed, false, err) != 0)
+        return -1;
+    if (found->fit.decision == GROWTH_UNDECIDED && !found->hopeless) {
+        int last = trial->yardstick->size_count + EXTRA_DOUBLINGS - 1;
+        if (count_sizes(trial, family, trial->yardstick->size_count, last, right, err) != 0)
+            return -1;
+        if (!*right)
+            return 0;
+    }
+    if (found->fit.decision == GROWTH_UNDECIDED && fit(trial, family, allowed, true, err) != 0)
+        return -1;
+    if (found->fit.decision == GROWTH_FAIL || found->hopeless)
+        check_say(check, VERDICT_GROWS_TOO_FAST, growth_class_name(found->fit.class),
+                  "On the inputs %s the work grows like %s (exponent %.2f), allowed is "
+                  "%s.",
+                  "Con las entradas %s el trabajo crece como %s (exponente %.2f); se admite "
+                  "%s.",
+                  trial->yardstick->judge->families[family], growth_class_name(found->fit.class),
+                  found->fit.exponent, exercise->growth_allowed);
+    return 0;
+}
+
+/* ------------------------------------------------------------------- bands */
+
+static double memory_bytes(const struct cost *cost, int64_t static_bytes)
+{
+    int64_t bytes = cost->heap_peak_bytes + cost->stack_bytes + static_bytes;
+    return (double)(bytes > MEMORY_FLOOR_BYTES ? bytes : MEMORY_FLOOR_BYTES);
+}
+
+static void judge_memory(struct trial *trial)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    struct check_result *check = &trial->checks[CHECK_MEMORY];
+    int largest = yardstick->size_count - 1;
+    for (int family = 0; family < yardstick->family_count; family++) {
+        double ratio =
+            memory_bytes(&trial->families[family].costs[largest], trial->build.static_bytes) /
+            memory_bytes(&yardstick->costs[family][largest], yardstick->reference.static_bytes);
+        if (ratio > trial->memory_ratio) {
+            trial->memory_ratio = ratio;
+            trial->memory_family = family;
+        }
+    }
+    bool within = trial->memory_ratio <= yardstick->exercise->memory_band;
+    check_say(check, within ? VERDICT_PASSED : VERDICT_TOO_MUCH_MEMORY, within ? "" : "memory-band",
+              "The peak of memory is %.2f times the reference's (at most %.4g).",
+              "El máximo de memoria es %.2f veces el de la referencia (como mucho %.4g).",
+              trial->memory_ratio, yardstick->exercise->memory_band);
+}
+
+static void find_work_ratios(struct trial *trial, int *family_at_fault)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    for (int family = 0; family < yardstick->family_count; family++) {
+        int largest = trial->families[family].size_count - 1;
+        if (largest >= yardstick->size_count)
+            largest = yardstick->size_count - 1;
+        const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
+        const struct callgrind_counts *theirs = &yardstick->costs[family][largest].counts;
+        double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
+        if (ratio <= trial->work_ratio)
+            continue;
+        *family_at_fault = family;
+        trial->work_ratio = ratio;
+        trial->instruction_ratio = (double)mine->instructions / (double)(theirs->instructions + 1);
+        trial->miss_ratio = (double)(mine->l1_misses + mine->ll_misses) /
+                            (double)(theirs->l1_misses + theirs->ll_misses + 1);
+    }
+}
+
+/* Two witnesses: marks for speed are lost only when the counted cost and the paired time agree. */
+static int judge_work(struct trial *trial, struct error *err)
+{
+    const struct exercise *exercise = trial->yardstick->exercise;
+    int family = 0;
+    bool slower = false;
+    find_work_ratios(trial, &family);
+    bool above = trial->work_ratio > exercise->work_band;
+    if (above && trial_is_slower(trial, family, trial->yardstick->size_count - 1,
+                                 exercise->work_band, &slower, err) != 0)
+        return -1;
+    struct check_result *check = &trial->checks[CHECK_WORK];
+    if (!above)
+        check_say(check, VERDICT_PASSED, "",
+                  "The counted cost is %.2f times the reference's (at most %.4g).",
+                  "El coste contado es %.2f veces el de la referencia (como mucho %.4g).",
+                  trial->work_ratio, exercise->work_band);
+    else if (!slower)
+        check_say(check, VERDICT_PASSED, "",
+                  "The counted cost is %.2f times the reference's (at most %.4g), but the time is "
+                  "not: that is in your favour.",
+                  "El coste contado es %.2f veces el de la referencia (como mucho %.4g), pero el "
+                  "tiempo no: la duda le favorece.",
+                  trial->work_ratio, exercise->work_band);
+    else
+        check_say(check, VERDICT_TOO_MUCH_WORK, "work-band",
+                  "The counted cost is %.2f times the reference's (at most %.4g), and so is the "
+                  "time.",
+                  "El coste contado es %.2f veces el de la referencia (como mucho %.4g), y el "
+                  "tiempo también.",
+                  trial->work_ratio, exercise->work_band);
+    return 0;
+}
+
+/* -------------------------------------------------------------------- step */
+
+static void say_not_measured(struct trial *trial)
+{
+    for (int i = 0; i < 2; i++)
+        check_say(&trial->checks[sized_checks[i]], VERDICT_NOT_MEASURED, "no-valgrind",
+                  "Not measured here: %s.", "No se midió aquí: %s.",
+                  trial->yardstick->probes.valgrind_reason);
+}
+
+int trial_check_growth(struct trial *trial, struct error *err)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    const struct exercise *exercise = yardstick->exercise;
+    bool right = true;
+    for (int family = 0; family < yardstick->family_count && right; family++)
+        if (measure_memory(trial, family, &right, err) != 0)
+            return -1;
+    if (!right)
+        return 0;
+    if (exercise->checked[CHECK_MEMORY])
+        judge_memory(trial);
+    if (!yardstick->probes.valgrind) {
+        say_not_measured(trial);
+        return 0;
+    }
+    check_say(&trial->checks[CHECK_GROWTH], VERDICT_PASSED, "", "The work grows no faster than %s.",
+              "El trabajo no crece más que %s.", exercise->growth_allowed);
+    for (int family = 0; family < yardstick->family_count && right; family++)
+        if (count_sizes(trial, family, 0, yardstick->size_count - 1, &right, err) != 0 ||
+            (right && judge_growth(trial, family, &right, err) != 0))
+            return -1;
+    if (!right || trial->checks[CHECK_GROWTH].verdict != VERDICT_PASSED ||
+        !exercise->checked[CHECK_WORK])
+        return 0;
+    return judge_work(trial, err);
+}

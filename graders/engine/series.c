@@ -1,0 +1,117 @@
+/* Many calls in one session; see series.h. */
+#include "graders/engine/series.h"
+
+#include "graders/engine/files.h"
+
+#include <string.h>
+
+enum { TOOL_MEMORY_BYTES = 1 << 30, CPU_SECONDS = 600 };
+
+/* How each tool is run. Programs are named relative to /work, so that their counts do not depend on
+ * the host's paths. GLIBC_TUNABLES pins libc's choice of string functions: counts then agree
+ * between machines. Caches of declared size, not this machine's. */
+static const struct {
+    enum program_kind program;
+    uint32_t mode;
+    char *argv[14];
+    char *envp[6];
+} tools[] = {
+    [SERIES_PLAIN] = {PROGRAM_PLAIN, MODE_PLAIN, {NULL}, {NULL}},
+    [SERIES_CALLGRIND] = {PROGRAM_PLAIN,
+                          MODE_COUNT,
+                          {"/usr/bin/valgrind", "-q", "--tool=callgrind", "--vgdb=no",
+                           "--collect-atstart=no", "--cache-sim=yes", "--I1=32768,8,64",
+                           "--D1=32768,8,64", "--LL=8388608,16,64", "--callgrind-out-file=counts",
+                           "./plain", NULL},
+                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp",
+                           "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-AVX512VL,-ERMS,-FSRM",
+                           NULL}},
+    [SERIES_SANITIZER] = {PROGRAM_SANITIZED,
+                          MODE_PLAIN,
+                          {"./sanitized", NULL},
+                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp",
+                           "ASAN_OPTIONS=detect_leaks=0:abort_on_error=1:color=never:"
+                           "allocator_may_return_null=1:detect_stack_use_after_return=0",
+                           "UBSAN_OPTIONS=abort_on_error=1:color=never:print_stacktrace=0", NULL}},
+    [SERIES_MEMCHECK] = {PROGRAM_CHECKED,
+                         MODE_MEMCHECK,
+                         {"/usr/bin/valgrind", "-q", "--tool=memcheck", "--vgdb=no",
+                          "--leak-check=no", "--num-callers=8", "--error-limit=no", "./checked",
+                          NULL},
+                         {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp", NULL}},
+};
+
+static int make_folder(struct series *series, const struct series_plan *plan, struct error *err)
+{
+    if (plan->tool == SERIES_PLAIN)
+        return 0;
+    if (folder_make_work(series->folder, err) != 0 ||
+        build_copy_program(plan->build, tools[plan->tool].program, series->folder, err) != 0)
+        return -1;
+    return box_give_folder(series->folder, err);
+}
+
+int series_start(struct series *series, const struct series_plan *plan, struct error *err)
+{
+    bool plain = plan->tool == SERIES_PLAIN;
+    int64_t heap_limit = plan->yardstick->exercise->memory_limit_bytes;
+    memset(series, 0, sizeof *series);
+    series->yardstick = plan->yardstick;
+    series->end = CALL_ANSWERED;
+    series->input.fd = -1;
+    series->session.control_region.fd = series->session.answer.fd = series->session.output.fd = -1;
+    if (region_make(&series->input, plan->input_bytes, true, err) != 0 ||
+        make_folder(series, plan, err) != 0)
+        return -1;
+    struct session_plan session = {
+        .profile = plain ? BOX_RUN : BOX_TOOLS,
+        .program_fd = plain ? plan->build->program_fd[PROGRAM_PLAIN] : -1,
+        .argv = plain ? NULL : (char *const *)tools[plan->tool].argv,
+        .envp = plain ? NULL : (char *const *)tools[plan->tool].envp,
+        .work_folder = plain ? NULL : series->folder,
+        .input = &series->input,
+        .answer_bytes = plan->answer_bytes,
+        .mode = tools[plan->tool].mode | plan->mode,
+        .heap_limit_bytes = heap_limit,
+        .memory_limit_bytes =
+            (uint64_t)heap_limit + plan->input_bytes + plan->answer_bytes + TOOL_MEMORY_BYTES,
+        .cpu_seconds = CPU_SECONDS,
+        .cpu = plan->cpu,
+    };
+    if (session_start(&series->session, &session, err) != 0)
+        return -1;
+    series->started = true;
+    return 0;
+}
+
+enum call_end series_call(struct series *series, const struct input *input,
+                          int64_t failing_allocation, const struct call_limits *limits,
+                          struct attempt *attempt)
+{
+    memcpy(series->input.bytes, input->region.bytes, input->bytes);
+    series->end = session_call(&series->session, input->bytes, failing_allocation, limits);
+    attempt->claims = series->session.claims;
+    attempt->cpu_ns = series->session.call_cpu_ns;
+    return series->end;
+}
+
+int series_end(struct series *series, struct attempt *attempt, struct error *err)
+{
+    series->started = false;
+    if (session_end(&series->session, &attempt->outcome, err) != 0)
+        return -1;
+    session_output(&series->session, attempt->output, sizeof attempt->output);
+    if (series->end != CALL_ANSWERED)
+        attempt_explain_death(series->end, &attempt->claims, &attempt->outcome, attempt);
+    return 0;
+}
+
+void series_release(struct series *series)
+{
+    struct box_outcome outcome;
+    if (series->started && session_end(&series->session, &outcome, NULL) != 0)
+        series->started = false; /* lost already: nothing more to end */
+    session_release(&series->session);
+    region_release(&series->input);
+    folder_remove_work(series->folder);
+}

@@ -1,0 +1,53 @@
+/* A series: many calls of one program in one session, the input rewritten before each.
+ *
+ * Used where a fresh process for every call would cost too much (valgrind, sanitizers), or where
+ * calls must follow each other in one process (paired timing). */
+#ifndef GRADERS_ENGINE_SERIES_H
+#define GRADERS_ENGINE_SERIES_H
+
+#include "graders/engine/attempt.h"
+
+enum series_tool {
+    SERIES_PLAIN,     /* natively, in a run box */
+    SERIES_CALLGRIND, /* counted: one file "counts.<call>" a call in the series' folder */
+    SERIES_SANITIZER, /* the program with ASan and UBSan; no allocation is counted */
+    SERIES_MEMCHECK   /* the dynamic program under memcheck; no allocation is counted */
+};
+
+/* What to start. Zero it, then fill it. */
+struct series_plan {
+    const struct yardstick *yardstick;
+    const struct build *build;
+    enum series_tool tool;
+    size_t input_bytes, answer_bytes; /* capacities: the largest of all calls */
+    uint32_t mode;                    /* further runner_mode flags */
+    int cpu;                          /* pin to it, -1: not */
+};
+
+struct series {
+    const struct yardstick *yardstick;
+    struct region input;
+    struct session session;
+    char folder[PATH_MAX]; /* /work of the box; empty for SERIES_PLAIN */
+    enum call_end end;     /* of the last call */
+    bool started;
+};
+
+/* Starts the program. Returns 0, or -1 and *err: a fault. series_release must follow in any case.
+ */
+int series_start(struct series *series, const struct series_plan *plan,
+                 struct error *err) MUST_CHECK;
+
+/* Calls once on `input`; claims go to attempt->claims. After anything but CALL_ANSWERED the series
+ * must be ended. */
+enum call_end series_call(struct series *series, const struct input *input,
+                          int64_t failing_allocation, const struct call_limits *limits,
+                          struct attempt *attempt);
+
+/* Ends the program. When the last call did not come back, `attempt` gets verdict and texts for it;
+ * its output and outcome are filled in any case. Returns 0, or -1 and *err: a fault. */
+int series_end(struct series *series, struct attempt *attempt, struct error *err) MUST_CHECK;
+
+void series_release(struct series *series);
+
+#endif
