@@ -148,6 +148,7 @@ static struct usage usage_of(const struct control *claims)
 {
     return (struct usage){.heap_peak_bytes = claims->heap_peak_bytes,
                           .heap_held_bytes = claims->heap_held_bytes,
+                          .heap_left_bytes = claims->heap_left_bytes,
                           .allocation_count = claims->allocation_count,
                           .known = true};
 }
