@@ -19,7 +19,7 @@ struct refusal {
 /* Refuses; only the first refusal counts. Both formats take the same arguments in the same order
  * (use %1$s positions to change the order in one language). Returns -1. */
 int refuse(struct refusal *refusal, const char *cause, const char *english, const char *spanish,
-           ...) __attribute__((format(printf, 3, 5)));
+           ...) __attribute__((format(printf, 3, 5), format(printf, 4, 5)));
 
 /* A name that a student chose, made fit to stand in a message: printable ASCII, `?` for every other
  * byte, cut with "..." when longer than the buffer.

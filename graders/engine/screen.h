@@ -11,6 +11,8 @@
  * Calls such as fork, open, socket or exit are not refused here: the box refuses them when they are
  * made, and names them.
  *
+ * Screen the plain object only: a sanitizer adds constructors and names of its own.
+ *
  * After this the engine makes every global symbol but the exercise's functions local, so it does
  * not matter what else the object defines (its own memcpy, malloc, main, ...). */
 #ifndef GRADERS_ENGINE_SCREEN_H
