@@ -1,0 +1,360 @@
+/* Grades a class with child processes; see classroom.h. */
+#include "graders/engine/classroom.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { JOBS_MAX = 64, TRIES = 2 };
+
+/* ---------------------------------------------------------- one submission */
+
+static struct source *sources_of(const struct upload *upload)
+{
+    struct source *sources = calloc((size_t)upload->file_count + 1, sizeof *sources);
+    for (int i = 0; sources && i < upload->file_count; i++)
+        sources[i] = (struct source){upload->files[i].name, (const char *)upload->files[i].bytes,
+                                     upload->files[i].count};
+    return sources;
+}
+
+int grade_submission(struct yardstick *yardstick, const struct upload *upload,
+                     const struct trial_scope *scope, struct outcome *outcome, struct error *err)
+{
+    struct submitter submitter = {upload->student, upload->student_folder};
+    struct source *sources = sources_of(upload);
+    struct trial trial = {0};
+    *outcome = (struct outcome){NULL, NULL};
+    if (!sources)
+        return error_set(err, "out of memory");
+    int result = trial_run(&trial, yardstick, upload->student, sources, upload->file_count, scope,
+                           err);
+    if (result == 0)
+        result = score_trial(&trial, &submitter, outcome, err);
+    if (result != 0)
+        outcome_release(outcome);
+    trial_release(&trial);
+    free(sources);
+    return result;
+}
+
+/* -------------------------------------------------------------------- jobs */
+
+/* A child at work on one upload. */
+struct job {
+    pid_t pid; /* 0: free */
+    int pidfd, file;
+    int upload;
+    int try;
+};
+
+/* The child hands back {"result": ..., "scenes": ...} or {"fault": text}. */
+_Noreturn static void work(struct yardstick *yardstick, const struct upload *upload, int file)
+{
+    static const struct trial_scope everything = {0};
+    struct outcome outcome;
+    struct error err = {""};
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    json_t *message =
+        grade_submission(yardstick, upload, &everything, &outcome, &err) == 0
+            ? json_pack("{s:o, s:o}", "result", outcome.result, "scenes", outcome.scenes)
+            : json_pack("{s:s}", "fault", err.text);
+    bool written = message && json_dumpfd(message, file, JSON_COMPACT) == 0;
+    _exit(written ? 0 : 1);
+}
+
+static int start_job(struct job *job, struct yardstick *yardstick, const struct upload *upload,
+                     struct error *err)
+{
+    job->file = memfd_create("outcome", MFD_CLOEXEC);
+    fflush(NULL);
+    job->pid = job->file >= 0 ? fork() : -1;
+    if (job->pid == 0)
+        work(yardstick, upload, job->file);
+    if (job->pid < 0) {
+        job->pid = 0;
+        return error_set(err, "cannot start a worker: %s", strerror(errno));
+    }
+    job->pidfd = (int)syscall(SYS_pidfd_open, job->pid, 0);
+    return 0;
+}
+
+/* Reaps a job; gives its outcome, or its fault as text. */
+static void finish_job(struct job *job, struct outcome *outcome, struct error *fault)
+{
+    int status;
+    while (waitpid(job->pid, &status, 0) < 0 && errno == EINTR)
+        continue;
+    lseek(job->file, 0, SEEK_SET);
+    json_t *message = json_loadfd(job->file, 0, NULL);
+    *outcome = (struct outcome){json_incref(json_object_get(message, "result")),
+                                json_incref(json_object_get(message, "scenes"))};
+    const char *text = json_string_value(json_object_get(message, "fault"));
+    fault->text[0] = '\0';
+    if (text)
+        error_set(fault, "%s", text);
+    else if (!outcome->result)
+        error_set(fault, "the worker ended with status %d before it had a result", status);
+    json_decref(message);
+    if (job->pidfd >= 0)
+        close(job->pidfd);
+    close(job->file);
+    job->pid = 0;
+}
+
+/* ------------------------------------------------------------------- class */
+
+static void digest_of(const struct upload *upload, char digest[STORE_DIGEST])
+{
+    struct source *sources = sources_of(upload);
+    store_digest(sources, sources ? upload->file_count : 0, upload->refusal.message, digest);
+    free(sources);
+}
+
+static void note_change(struct classroom *classroom, const struct upload *upload,
+                        const json_t *before, const json_t *after)
+{
+    if (before && json_equal(before, after))
+        return;
+    json_array_append_new(classroom->changes,
+                          json_pack("{s:s, s:s, s:O, s:O}", "student", upload->student, "exercise",
+                                    upload->exercise ? upload->exercise : "unknown", "before",
+                                    before ? before : json_null(), "after", after));
+}
+
+static int keep_outcome(struct classroom *classroom, const struct upload *upload,
+                        const struct outcome *outcome, struct error *err)
+{
+    char digest[STORE_DIGEST];
+    const char *exercise = upload->exercise ? upload->exercise : "unknown";
+    bool store = true;
+    digest_of(upload, digest);
+    if (classroom->regrade) {
+        json_t *before;
+        if (store_find(classroom->store, upload->student_folder, exercise, NULL, &before, err) != 0)
+            return -1;
+        note_change(classroom, upload, before, outcome->result);
+        json_decref(before);
+        store = classroom->apply;
+    }
+    if (store && store_put(classroom->store, upload->student_folder, exercise, digest, outcome,
+                           err) != 0)
+        return -1;
+    classroom->done++;
+    if (classroom->progress)
+        classroom->progress(classroom, outcome->result, classroom->done, classroom->total);
+    return 0;
+}
+
+/* A submission that never runs: refused at upload, or faulted twice. */
+static int keep_without_trial(struct classroom *classroom, const struct exercise *exercise,
+                              const struct upload *upload, enum verdict verdict,
+                              const struct refusal *why, struct error *err)
+{
+    struct outcome outcome;
+    struct submitter submitter = {upload->student, upload->student_folder};
+    int result = score_without_trial(exercise, &submitter, verdict, why, &outcome, err);
+    if (result == 0)
+        result = keep_outcome(classroom, upload, &outcome, err);
+    outcome_release(&outcome);
+    return result;
+}
+
+static int keep_fault(struct classroom *classroom, const struct exercise *exercise,
+                      const struct upload *upload, const struct error *fault, struct error *err)
+{
+    struct refusal why = {.refused = true, .cause = "harness"};
+    snprintf(why.message, sizeof why.message,
+             "The grader failed, not the submission; it is not scored: %.300s", fault->text);
+    snprintf(why.message_es, sizeof why.message_es,
+             "Falló el corrector, no la entrega; no se puntúa: %.300s", fault->text);
+    return keep_without_trial(classroom, exercise, upload, VERDICT_FAULT, &why, err);
+}
+
+/* Whether the store has a result of just these files that is no fault. */
+static int is_graded(struct classroom *classroom, const struct upload *upload, bool *graded,
+                     struct error *err)
+{
+    char digest[STORE_DIGEST];
+    json_t *stored;
+    *graded = false;
+    if (classroom->regrade)
+        return 0;
+    digest_of(upload, digest);
+    if (store_find(classroom->store, upload->student_folder,
+                   upload->exercise ? upload->exercise : "unknown", digest, &stored, err) != 0)
+        return -1;
+    const char *verdict = json_string_value(json_object_get(stored, "verdict"));
+    *graded = verdict && strcmp(verdict, verdict_name(VERDICT_FAULT)) != 0;
+    json_decref(stored);
+    return 0;
+}
+
+/* ---------------------------------------------------------------- exercise */
+
+/* The uploads of one exercise that are to be graded, as a queue. */
+struct queue {
+    int *uploads;
+    int count, next;
+};
+
+static int fill_queue(struct classroom *classroom, const struct exercise *exercise,
+                      struct queue *queue, struct error *err)
+{
+    const struct upload_list *list = classroom->uploads;
+    queue->uploads = calloc((size_t)list->count + 1, sizeof *queue->uploads);
+    if (!queue->uploads)
+        return error_set(err, "out of memory");
+    for (int i = 0; i < list->count; i++) {
+        const struct upload *upload = &list->uploads[i];
+        bool graded;
+        if (!upload->exercise || strcmp(upload->exercise, exercise->name) != 0)
+            continue;
+        if (is_graded(classroom, upload, &graded, err) != 0)
+            return -1;
+        if (graded)
+            classroom->done++;
+        else if (!upload->refusal.refused)
+            queue->uploads[queue->count++] = i;
+        else if (keep_without_trial(classroom, exercise, upload, VERDICT_COMPILE_ERROR,
+                                    &upload->refusal, err) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+/* Waits until one of the jobs ends and deals with it: stores, or starts it a second time. */
+static int settle_one(struct classroom *classroom, struct yardstick *yardstick, struct job *jobs,
+                      struct error *err)
+{
+    struct pollfd ends[JOBS_MAX];
+    struct outcome outcome;
+    struct error fault;
+    for (int i = 0; i < classroom->job_count; i++)
+        ends[i] = (struct pollfd){.fd = jobs[i].pid ? jobs[i].pidfd : -1, .events = POLLIN};
+    while (poll(ends, (nfds_t)classroom->job_count, -1) < 0 && errno == EINTR)
+        continue;
+    for (int i = 0; i < classroom->job_count; i++) {
+        struct job *job = &jobs[i];
+        if (!job->pid || !(ends[i].revents & POLLIN))
+            continue;
+        const struct upload *upload = &classroom->uploads->uploads[job->upload];
+        finish_job(job, &outcome, &fault);
+        int result = 0;
+        if (outcome.result)
+            result = keep_outcome(classroom, upload, &outcome, err);
+        else if (++job->try < TRIES)
+            result = start_job(job, yardstick, upload, err);
+        else
+            result = keep_fault(classroom, yardstick->exercise, upload, &fault, err);
+        outcome_release(&outcome);
+        if (result != 0)
+            return -1;
+    }
+    return 0;
+}
+
+static void abandon_jobs(struct job *jobs, int count)
+{
+    for (int i = 0; i < count; i++) {
+        struct outcome outcome;
+        struct error fault;
+        if (!jobs[i].pid)
+            continue;
+        kill(jobs[i].pid, SIGKILL);
+        finish_job(&jobs[i], &outcome, &fault);
+        outcome_release(&outcome);
+    }
+}
+
+static int run_queue(struct classroom *classroom, struct yardstick *yardstick,
+                     struct queue *queue, struct error *err)
+{
+    struct job jobs[JOBS_MAX] = {{0}};
+    int result = 0, running = 0;
+    while (result == 0 && (queue->next < queue->count || running > 0)) {
+        running = 0;
+        for (int i = 0; i < classroom->job_count && result == 0; i++) {
+            if (!jobs[i].pid && queue->next < queue->count) {
+                jobs[i] = (struct job){.upload = queue->uploads[queue->next++]};
+                result = start_job(&jobs[i], yardstick,
+                                   &classroom->uploads->uploads[jobs[i].upload], err);
+            }
+            running += jobs[i].pid != 0;
+        }
+        if (result == 0 && running > 0)
+            result = settle_one(classroom, yardstick, jobs, err);
+    }
+    abandon_jobs(jobs, classroom->job_count);
+    return result;
+}
+
+static int grade_exercise(struct classroom *classroom, const struct exercise *exercise,
+                          struct error *err)
+{
+    struct queue queue = {0};
+    int result = fill_queue(classroom, exercise, &queue, err);
+    if (result == 0 && queue.count > 0) {
+        struct yardstick yardstick;
+        result = yardstick_make(&yardstick, exercise, false, err);
+        if (result == 0)
+            result = yardstick_make_cases(&yardstick, false, err);
+        if (result == 0)
+            result = run_queue(classroom, &yardstick, &queue, err);
+        yardstick_release(&yardstick);
+    }
+    free(queue.uploads);
+    return result;
+}
+
+/* Submissions of which not even the exercise could be told. */
+static int keep_unknown(struct classroom *classroom, struct error *err)
+{
+    for (int i = 0; i < classroom->uploads->count; i++) {
+        const struct upload *upload = &classroom->uploads->uploads[i];
+        if (!upload->exercise &&
+            keep_without_trial(classroom, NULL, upload, VERDICT_COMPILE_ERROR, &upload->refusal,
+                               err) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+static int prune(struct classroom *classroom, struct error *err)
+{
+    json_auto_t *keep = json_object();
+    for (int i = 0; i < classroom->uploads->count; i++) {
+        char key[PATH_MAX];
+        const struct upload *upload = &classroom->uploads->uploads[i];
+        snprintf(key, sizeof key, "%s/%s", upload->student_folder,
+                 upload->exercise ? upload->exercise : "unknown");
+        json_object_set_new(keep, key, json_true());
+    }
+    return store_prune(classroom->store, keep, err);
+}
+
+int classroom_grade(struct classroom *classroom, struct error *err)
+{
+    if (classroom->job_count < 1)
+        classroom->job_count = 1;
+    if (classroom->job_count > JOBS_MAX)
+        classroom->job_count = JOBS_MAX;
+    classroom->done = 0;
+    classroom->total = classroom->uploads->count;
+    if (!classroom->keep_others && prune(classroom, err) != 0)
+        return -1;
+    if (keep_unknown(classroom, err) != 0)
+        return -1;
+    for (int i = 0; i < classroom->exercise_count; i++)
+        if (grade_exercise(classroom, &classroom->exercises[i], err) != 0)
+            return -1;
+    return 0;
+}
