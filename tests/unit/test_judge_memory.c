@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-extern const struct judge judge_memory_indexed_grid;
+extern const struct judge judge_memory_indexed_grid, judge_memory_strips;
 
 static void test_indexed_grid_submissions(void **state)
 {
@@ -15,8 +15,15 @@ static void test_indexed_grid_submissions(void **state)
     submissions_check(&judge_memory_indexed_grid, "memory");
 }
 
+static void test_strips_submissions(void **state)
+{
+    (void)state;
+    submissions_check(&judge_memory_strips, "memory");
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_indexed_grid_submissions)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_indexed_grid_submissions),
+                                       cmocka_unit_test(test_strips_submissions)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
