@@ -1,0 +1,18 @@
+/* Meshes in files: the format follows from the extension, in any case: .ply, .obj, .off. */
+#ifndef REFERENCE_FORMATS_MESH_FILE_H
+#define REFERENCE_FORMATS_MESH_FILE_H
+
+#include "reference/mesh/mesh.h"
+
+/* Reads a mesh. The caller owns it (mesh_release); it is valid (mesh_check).
+ *
+ * path     a regular file, at most 8 GiB; anything else is refused without being read
+ * returns  0, or -1 and *err, which names the file, the place in it and what is wrong; then the
+ *          mesh is empty */
+int read_mesh(const char *path, struct mesh *mesh, struct error *err) MUST_CHECK;
+
+/* Writes a valid mesh; .ply as little-endian binary. An existing file is replaced. Returns 0, or -1
+ * and *err; then the file may be incomplete. */
+int write_mesh(const char *path, const struct mesh *mesh, struct error *err) MUST_CHECK;
+
+#endif

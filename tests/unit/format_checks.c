@@ -1,0 +1,137 @@
+/* Checks that the tests of the file formats share; see format_checks.h. */
+#include "tests/unit/format_checks.h"
+
+#include "reference/mesh/random.h"
+#include "tests/unit/mesh_measures.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* A copy on the heap, without a terminator, so that the sanitizers see reads behind its end. */
+static void *exact_copy(const void *bytes, size_t byte_count)
+{
+    void *copy = malloc(byte_count > 0 ? byte_count : 1);
+    assert_non_null(copy);
+    if (byte_count > 0)
+        memcpy(copy, bytes, byte_count);
+    return copy;
+}
+
+struct mesh read_text(const struct format_under_test *format, const char *text)
+{
+    struct mesh mesh;
+    struct error err = {0};
+    void *bytes = exact_copy(text, strlen(text));
+    if (format->read(bytes, strlen(text), "file", &mesh, &err))
+        fail_msg("refused: %s", err.text);
+    assert_int_equal(mesh_check(&mesh, &err), 0);
+    free(bytes);
+    return mesh;
+}
+
+void assert_bytes_refused(const struct format_under_test *format, const void *bytes,
+                          size_t byte_count, const char *error)
+{
+    struct mesh mesh;
+    struct error err = {0};
+    void *copy = exact_copy(bytes, byte_count);
+    assert_int_equal(format->read(copy, byte_count, "file", &mesh, &err), -1);
+    assert_string_equal(err.text, error);
+    assert_null(mesh.positions);
+    assert_null(mesh.triangles);
+    assert_int_equal(mesh.vertex_count, 0);
+    assert_int_equal(mesh.triangle_count, 0);
+    free(copy);
+}
+
+void assert_refused(const struct format_under_test *format, const char *text, const char *error)
+{
+    assert_bytes_refused(format, text, strlen(text), error);
+}
+
+char *written(const struct format_under_test *format, const struct mesh *mesh, size_t *byte_count)
+{
+    char *bytes = NULL;
+    FILE *out = open_memstream(&bytes, byte_count);
+    assert_non_null(out);
+    assert_int_equal(format->write(out, mesh, NULL), 0);
+    assert_int_equal(fclose(out), 0);
+    return bytes;
+}
+
+/* Every finite float is as likely as any other: tiny, huge, subnormal and both zeros. */
+static void set_any_positions(struct mesh *mesh, struct random *rng)
+{
+    for (int64_t i = 0; i < 3 * (int64_t)mesh->vertex_count; i++)
+        do {
+            uint32_t bits = (uint32_t)random_next(rng);
+            memcpy(mesh->positions + i, &bits, sizeof bits);
+        } while (!isfinite(mesh->positions[i]));
+    if (mesh->vertex_count > 0)
+        mesh->positions[0] = -0.0F;
+}
+
+void assert_round_trips(const struct format_under_test *format)
+{
+    for (uint64_t seed = 0; seed < 150; seed++) {
+        struct mesh mesh = random_mesh(seed), back;
+        struct random rng;
+        random_init(&rng, seed);
+        if (seed % 2 == 1)
+            set_any_positions(&mesh, &rng);
+        if (seed == 0) {
+            mesh_release(&mesh);
+            assert_int_equal(mesh_init(&mesh, 0, 0, NULL), 0);
+        }
+        size_t byte_count;
+        char *bytes = written(format, &mesh, &byte_count);
+        struct error err = {0};
+        if (format->read(bytes, byte_count, "file", &back, &err))
+            fail_msg("seed %d: %s", (int)seed, err.text);
+        assert_true(same_mesh(&mesh, &back));
+        free(bytes);
+        mesh_release(&mesh);
+        mesh_release(&back);
+    }
+}
+
+static void assert_refused_or_valid(const struct format_under_test *format, const void *bytes,
+                                    size_t byte_count)
+{
+    struct mesh mesh;
+    struct error err = {0};
+    void *copy = exact_copy(bytes, byte_count);
+    if (format->read(copy, byte_count, "file", &mesh, &err) == 0)
+        assert_int_equal(mesh_check(&mesh, NULL), 0);
+    else
+        assert_true(strncmp(err.text, "file:", 5) == 0);
+    mesh_release(&mesh);
+    free(copy);
+}
+
+void assert_survives_damage(const struct format_under_test *format, const void *bytes,
+                            size_t byte_count)
+{
+    for (size_t length = 0; length < byte_count; length++)
+        assert_refused_or_valid(format, bytes, length);
+    for (uint64_t seed = 0; seed < 3000; seed++) {
+        struct random rng;
+        random_init(&rng, seed);
+        unsigned char *damaged = exact_copy(bytes, byte_count);
+        for (uint64_t hits = 1 + random_below(&rng, 4); hits > 0; hits--) {
+            static const char likely[] = "0123456789-./ \n\r\\#e";
+            size_t at = (size_t)random_below(&rng, byte_count);
+            damaged[at] = random_below(&rng, 2) == 0
+                              ? (unsigned char)random_next(&rng)
+                              : (unsigned char)likely[random_below(&rng, sizeof likely - 1)];
+        }
+        assert_refused_or_valid(format, damaged, byte_count);
+        free(damaged);
+    }
+}
