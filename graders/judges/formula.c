@@ -134,10 +134,10 @@ int formula_judge(const struct formula *formula, const int32_t *rows, int64_t ro
     judge_name_element(out, "%s", place);
     int64_t right = right_at(formula, rows, first);
     judge_reject(out, mistake ? mistake->cause : "wrong-formula",
-                 "%s for %s: %" PRId64 " %s%.0s, right is %" PRId64 ". %s%.0s",
-                 "%s para %s: %" PRId64 " %.0s%s, lo correcto es %" PRId64 ". %.0s%s",
+                 "%s for %s: %" PRId64 " %s%.0s, right is %" PRId64 ".%s%s%.0s",
+                 "%s para %s: %" PRId64 " %.0s%s, lo correcto es %" PRId64 ".%s%.0s%s",
                  formula->function, place, answers[first], formula->unit, formula->unit_es, right,
-                 mistake ? mistake->hint : "", mistake ? mistake->hint_es : "");
+                 mistake ? " " : "", mistake ? mistake->hint : "", mistake ? mistake->hint_es : "");
     return show_curves(formula, rows, row_count, answers, &out->scene, err);
 }
 
@@ -154,9 +154,10 @@ void number_judge(const struct number *number, double answer, struct judgement *
         mistake++;
     bool known = mistake && mistake->cause;
     judge_name_element(out, "%s", number->function);
-    judge_reject(out, known ? mistake->cause : "wrong-number", "%s says %.10g. %s%.0s %s%.0s",
-                 "%s dice %.10g. %.0s%s %.0s%s", number->function, answer, number->rule,
-                 number->rule_es, known ? mistake->hint : "", known ? mistake->hint_es : "");
+    judge_reject(out, known ? mistake->cause : "wrong-number", "%s says %.10g. %s%.0s%s%s%.0s",
+                 "%s dice %.10g. %.0s%s%s%.0s%s", number->function, answer, number->rule,
+                 number->rule_es, known ? " " : "", known ? mistake->hint : "",
+                 known ? mistake->hint_es : "");
 }
 
 /* -------------------------------------------------------------------- sizes */

@@ -339,13 +339,14 @@ static void corners_of(int32_t i, int32_t corner[3])
     corner[2] = i + 2;
 }
 
-static bool judge_place(const struct lattice *lattice, const struct built *built, int32_t strip,
+/* A vertex that is no lattice point is rejected. */
+static void judge_place(const struct lattice *lattice, const struct built *built, int32_t strip,
                         int32_t vertex, struct judgement *out)
 {
     const float *p = built->strips[strip] + 3 * (int64_t)vertex;
     int32_t point = lattice_nearest(lattice, p);
     if (point >= 0 && lattice_is_at(lattice, point, p, PLACE_TOLERANCE))
-        return true;
+        return;
     judge_name_element(out, "strip %d, vertex %d (%.6g, %.6g, %.6g)", strip, vertex, (double)p[0],
                        (double)p[1], (double)p[2]);
     judge_reject(
@@ -355,7 +356,6 @@ static bool judge_place(const struct lattice *lattice, const struct built *built
         "El vértice %d de la tira %d está en (%.6g, %.6g, %.6g), que no está a menos de 0.00001"
         " de un punto x = columna / %d, y = fila / %d, z = 0.",
         vertex, strip, (double)p[0], (double)p[1], (double)p[2], built->n, built->m);
-    return false;
 }
 
 static void reject_triangle(enum lattice_fit fit, int32_t strip, int32_t triangle,
@@ -397,10 +397,8 @@ static void judge_strip(struct lattice *lattice, const struct built *built, int3
 {
     int32_t vertex_count = (int32_t)built->vertices_per_strip;
     int32_t strip_row = -1;
-    if (aspect & LOOK_AT_COVER)
-        for (int32_t v = 0; v < vertex_count; v++)
-            if (!judge_place(lattice, built, strip, v, out))
-                break;
+    for (int32_t v = 0; v < vertex_count && (aspect & LOOK_AT_COVER) && !out->cause[0]; v++)
+        judge_place(lattice, built, strip, v, out);
     for (int32_t i = 0; i + 2 < vertex_count; i++) {
         int32_t corner[3], point[3], cell;
         corners_of(i, corner);
@@ -418,7 +416,8 @@ static void judge_strip(struct lattice *lattice, const struct built *built, int3
         }
         if (!turned && fit == LATTICE_HALF_FLIPPED)
             fit = LATTICE_HALF; /* it only leaves the row */
-        reject_triangle(fit, strip, i, out);
+        if (!out->cause[0])
+            reject_triangle(fit, strip, i, out);
         int32_t first = strip * vertex_count;
         if (strip >= SHOWN_STRIP_LIMIT)
             continue;
