@@ -13,7 +13,7 @@ SHELL := /bin/bash
 
 # ---------------------------------------------------------------- packages
 CORE_PACKAGES := gcc libc6-dev make binutils pkg-config libjansson-dev libsqlite3-dev libarchive-dev \
-  libseccomp-dev valgrind
+  libseccomp-dev nettle-dev valgrind
 PICTURE_PACKAGES := g++ libvtk9-dev libopenimageio-dev libegl-dev libegl1 libgl1-mesa-dri fonts-open-sans \
   libjs-three
 TEST_PACKAGES := libcmocka-dev perl chromium zip unzip python3-minimal
@@ -62,7 +62,7 @@ MODE := $(MODE_$(config))
 ifeq ($(MODE),)
 $(error config=$(config): choose release, debug, asan or coverage)
 endif
-LIBRARIES := jansson sqlite3 libarchive libseccomp
+LIBRARIES := jansson sqlite3 libarchive libseccomp nettle
 CFLAGS := -std=c17 -D_GNU_SOURCE -I. $(MODE) $(WARNINGS) $(shell pkg-config --cflags $(LIBRARIES) 2>/dev/null)
 LDLIBS := $(shell pkg-config --libs $(LIBRARIES) 2>/dev/null) -lm
 DEPENDENCIES = -MMD -MP
@@ -81,7 +81,8 @@ all: build/meshgrade build/meshgrade-render ## build the programs
 build/meshgrade: $(BUILD)/meshgrade $(RUNNERS)
 	@ln -sf $(config)/meshgrade $@
 
-$(BUILD)/meshgrade: $(BUILD)/graders/meshgrade.o $(BUILD)/libmeshgrade.a
+COMMAND_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,graders/meshgrade.c $(wildcard graders/commands/*.c))
+$(BUILD)/meshgrade: $(COMMAND_OBJECTS) $(BUILD)/libmeshgrade.a
 	$(CC) $(MODE) $^ -o $@ $(LDLIBS)
 
 $(BUILD)/libmeshgrade.a: $(LIBRARY_OBJECTS)

@@ -35,8 +35,8 @@ int grade_submission(struct yardstick *yardstick, const struct upload *upload,
     *outcome = (struct outcome){NULL, NULL};
     if (!sources)
         return error_set(err, "out of memory");
-    int result = trial_run(&trial, yardstick, upload->student, sources, upload->file_count, scope,
-                           err);
+    int result =
+        trial_run(&trial, yardstick, upload->student, sources, upload->file_count, scope, err);
     if (result == 0)
         result = score_trial(&trial, &submitter, outcome, err);
     if (result != 0)
@@ -145,8 +145,8 @@ static int keep_outcome(struct classroom *classroom, const struct upload *upload
         json_decref(before);
         store = classroom->apply;
     }
-    if (store && store_put(classroom->store, upload->student_folder, exercise, digest, outcome,
-                           err) != 0)
+    if (store &&
+        store_put(classroom->store, upload->student_folder, exercise, digest, outcome, err) != 0)
         return -1;
     classroom->done++;
     if (classroom->progress)
@@ -275,8 +275,8 @@ static void abandon_jobs(struct job *jobs, int count)
     }
 }
 
-static int run_queue(struct classroom *classroom, struct yardstick *yardstick,
-                     struct queue *queue, struct error *err)
+static int run_queue(struct classroom *classroom, struct yardstick *yardstick, struct queue *queue,
+                     struct error *err)
 {
     struct job jobs[JOBS_MAX] = {{0}};
     int result = 0, running = 0;
@@ -320,9 +320,8 @@ static int keep_unknown(struct classroom *classroom, struct error *err)
 {
     for (int i = 0; i < classroom->uploads->count; i++) {
         const struct upload *upload = &classroom->uploads->uploads[i];
-        if (!upload->exercise &&
-            keep_without_trial(classroom, NULL, upload, VERDICT_COMPILE_ERROR, &upload->refusal,
-                               err) != 0)
+        if (!upload->exercise && keep_without_trial(classroom, NULL, upload, VERDICT_COMPILE_ERROR,
+                                                    &upload->refusal, err) != 0)
             return -1;
     }
     return 0;

@@ -4,8 +4,8 @@
  *     for each submission that the store does not have yet: a child grades it and hands back JSON,
  *     the parent stores it in one transaction
  *
- * Killed at any moment, the next run goes on where this one stopped, and ends with the same results.
- * A fault is tried again once; then it is stored as a fault, which is never scored. */
+ * Killed at any moment, the next run goes on where this one stopped, and ends with the same
+ * results. A fault is tried again once; then it is stored as a fault, which is never scored. */
 #ifndef GRADERS_ENGINE_CLASSROOM_H
 #define GRADERS_ENGINE_CLASSROOM_H
 
@@ -18,18 +18,18 @@ struct classroom {
     const struct upload_list *uploads; /* borrowed */
     struct store *store;               /* borrowed */
     int job_count;
-    bool regrade;      /* grade even what the store has (and keep faults out of the way) */
-    bool keep_others;  /* leave results of submissions that are not in `uploads` */
-    json_t *changes;   /* with regrade: array of {student, exercise, before, after}; not stored
-                          unless `apply` */
+    bool regrade;     /* grade even what the store has (and keep faults out of the way) */
+    bool keep_others; /* leave results of submissions that are not in `uploads` */
+    json_t *changes;  /* with regrade: array of {student, exercise, before, after}; not stored
+                         unless `apply` */
     bool apply;
     /* Called in the parent after each result; done and total count submissions. May be NULL. */
     void (*progress)(const struct classroom *classroom, const json_t *result, int done, int total);
     int done, total;
 };
 
-/* Grades. Returns 0 (also when results hold faults), or -1 and *err: the store cannot be written, or
- * an exercise itself is unsound. */
+/* Grades. Returns 0 (also when results hold faults), or -1 and *err: the store cannot be written,
+ * or an exercise itself is unsound. */
 int classroom_grade(struct classroom *classroom, struct error *err) MUST_CHECK;
 
 /* Grades one submission in this process: the whole way from sources to outcome.

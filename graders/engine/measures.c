@@ -23,12 +23,12 @@ static json_t *family_json(const struct trial *trial, int family)
         json_array_append_new(sizes, json_integer(yardstick->sizes[i]));
         json_array_append_new(mine, json_integer(found->costs[i].counts.instructions));
         if (yardstick->costs[family][i].counted)
-            json_array_append_new(
-                theirs, json_integer(yardstick->costs[family][i].counts.instructions));
+            json_array_append_new(theirs,
+                                  json_integer(yardstick->costs[family][i].counts.instructions));
     }
-    json_t *json = json_pack("{s:s, s:o, s:o, s:o}", "name", yardstick->judge->families[family],
-                             "sizes", sizes, "instructions", mine, "reference_instructions",
-                             theirs);
+    json_t *json =
+        json_pack("{s:s, s:o, s:o, s:o}", "name", yardstick->judge->families[family], "sizes",
+                  sizes, "instructions", mine, "reference_instructions", theirs);
     if (found->fitted)
         json_object_set_new(json, "fit", fit_json(&found->fit));
     return json;
@@ -42,8 +42,8 @@ static json_t *growth_json(const struct trial *trial)
         if (trial->families[family].size_count > 0)
             json_array_append_new(families, family_json(trial, family));
     return json_pack("{s:s, s:{s:s, s:s}, s:o}", "allowed", exercise->growth_allowed, "element",
-                     "en", exercise->growth_element.english, "es",
-                     exercise->growth_element.spanish, "families", families);
+                     "en", exercise->growth_element.english, "es", exercise->growth_element.spanish,
+                     "families", families);
 }
 
 static json_t *memory_json(const struct trial *trial)
@@ -52,14 +52,13 @@ static json_t *memory_json(const struct trial *trial)
     int largest = yardstick->size_count - 1, family = trial->memory_family;
     const struct cost *mine = &trial->families[family].costs[largest];
     const struct cost *theirs = &yardstick->costs[family][largest];
-    return json_pack("{s:I, s:I, s:I, s:o, s:o, s:I, s:I, s:I}", "size",
-                     (json_int_t)yardstick->sizes[largest], "peak_bytes",
-                     (json_int_t)mine->heap_peak_bytes, "reference_peak_bytes",
-                     (json_int_t)theirs->heap_peak_bytes, "ratio", rounded(trial->memory_ratio),
-                     "band", rounded(yardstick->exercise->memory_band), "allocations",
-                     (json_int_t)mine->allocation_count, "stack_bytes",
-                     (json_int_t)mine->stack_bytes, "static_bytes",
-                     (json_int_t)trial->build.static_bytes);
+    return json_pack(
+        "{s:I, s:I, s:I, s:o, s:o, s:I, s:I, s:I}", "size", (json_int_t)yardstick->sizes[largest],
+        "peak_bytes", (json_int_t)mine->heap_peak_bytes, "reference_peak_bytes",
+        (json_int_t)theirs->heap_peak_bytes, "ratio", rounded(trial->memory_ratio), "band",
+        rounded(yardstick->exercise->memory_band), "allocations",
+        (json_int_t)mine->allocation_count, "stack_bytes", (json_int_t)mine->stack_bytes,
+        "static_bytes", (json_int_t)trial->build.static_bytes);
 }
 
 json_t *measures_json(const struct trial *trial)

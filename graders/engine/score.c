@@ -1,9 +1,9 @@
 /* Marks and the result file; see score.h.
  *
  * A class gives its points when every one of its cases passed. A check gives its points when it
- * passed. The verdict is the one that takes precedence over all cases and checks; a fault in handling
- * refused allocations speaks only when nothing else is wrong, so that it never hides the mistake
- * that matters more. */
+ * passed. The verdict is the one that takes precedence over all cases and checks; a fault in
+ * handling refused allocations speaks only when nothing else is wrong, so that it never hides the
+ * mistake that matters more. */
 #include "graders/engine/score.h"
 
 #include "graders/engine/measures.h"
@@ -100,11 +100,11 @@ static json_t *case_json(struct trial *trial, size_t index, const char *student_
     char seed[32], reproduce[256], picture[512];
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)c->seed);
     snprintf(reproduce, sizeof reproduce, "meshgrade check %s FILE --case %s", exercise, c->name);
-    json_t *json = json_pack(
-        "{s:s, s:s, s:s, s:s, s:o, s:s, s:b, s:s}", "name", c->name, "class", c->class_name,
-        "verdict", verdict_name(attempt->verdict), "cause", attempt->cause, "message",
-        phrase_json(attempt->message, attempt->message_es), "seed", seed, "public", c->is_public,
-        "reproduce", reproduce);
+    json_t *json =
+        json_pack("{s:s, s:s, s:s, s:s, s:o, s:s, s:b, s:s}", "name", c->name, "class",
+                  c->class_name, "verdict", verdict_name(attempt->verdict), "cause", attempt->cause,
+                  "message", phrase_json(attempt->message, attempt->message_es), "seed", seed,
+                  "public", c->is_public, "reproduce", reproduce);
     if (rejected)
         json_object_set_new(json, "element", json_string(attempt->element));
     if (rejected && attempt->scene) {
@@ -221,16 +221,14 @@ static json_t *summary_json(const struct decision *decision)
 static json_t *header_json(const struct exercise *exercise, const struct submitter *submitter,
                            const struct decision *decision)
 {
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:o, s:s, s:s, s:s, s:o}", "schema",
-                     "meshgrade-result-1", "student", submitter->student, "student_folder",
-                     submitter->student_folder, "exercise", exercise ? exercise->name : "unknown",
-                     "group", exercise ? exercise->group : "",
-                     "title",
-                     phrase_json(exercise ? exercise->title.english : "",
-                                 exercise ? exercise->title.spanish : ""),
-                     "problem", exercise ? exercise->problem : "", "verdict",
-                     verdict_name(decision->verdict), "cause", decision->cause, "summary",
-                     summary_json(decision));
+    return json_pack(
+        "{s:s, s:s, s:s, s:s, s:s, s:o, s:s, s:s, s:s, s:o}", "schema", "meshgrade-result-1",
+        "student", submitter->student, "student_folder", submitter->student_folder, "exercise",
+        exercise ? exercise->name : "unknown", "group", exercise ? exercise->group : "", "title",
+        phrase_json(exercise ? exercise->title.english : "",
+                    exercise ? exercise->title.spanish : ""),
+        "problem", exercise ? exercise->problem : "", "verdict", verdict_name(decision->verdict),
+        "cause", decision->cause, "summary", summary_json(decision));
 }
 
 static json_t *text_json(const char *untrusted)
@@ -262,8 +260,8 @@ int score_trial(struct trial *trial, const struct submitter *submitter, struct o
             json_array_append_new(checks, check_json(trial, (enum check_kind)check, &score));
     for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
         if (trial->cases[i].run)
-            json_array_append_new(
-                cases, case_json(trial, i, submitter->student_folder, outcome->scenes));
+            json_array_append_new(cases,
+                                  case_json(trial, i, submitter->student_folder, outcome->scenes));
     outcome->result = header_json(exercise, submitter, &decision);
     json_t *rest = json_pack(
         "{s:o, s:o, s:o, s:o, s:o, s:o, s:{s:b, s:s, s:o}, s:o, s:o, s:o, s:o, s:o}", "score",

@@ -23,8 +23,7 @@ static const char SCHEMA[] = "BEGIN IMMEDIATE;"
 
 static int complain(const struct store *store, struct error *err)
 {
-    return error_set(err,
-                     "meshgrade.sqlite: %s (move the file away to grade the class anew)",
+    return error_set(err, "meshgrade.sqlite: %s (move the file away to grade the class anew)",
                      store->database ? sqlite3_errmsg(store->database) : "out of memory");
 }
 
@@ -32,8 +31,7 @@ static int read_version(struct store *store, int *version, struct error *err)
 {
     sqlite3_stmt *query = NULL;
     int result = -1;
-    if (sqlite3_prepare_v2(store->database, "PRAGMA user_version", -1, &query, NULL) ==
-            SQLITE_OK &&
+    if (sqlite3_prepare_v2(store->database, "PRAGMA user_version", -1, &query, NULL) == SQLITE_OK &&
         sqlite3_step(query) == SQLITE_ROW) {
         *version = sqlite3_column_int(query, 0);
         result = 0;
@@ -52,8 +50,8 @@ int store_open(struct store *store, const char *out, struct error *err)
     if (folder_make(out, err) != 0)
         return -1;
     snprintf(path, sizeof path, "%s/meshgrade.sqlite", out);
-    if (sqlite3_open_v2(path, &store->database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE,
-                        NULL) != SQLITE_OK)
+    if (sqlite3_open_v2(path, &store->database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, NULL) !=
+        SQLITE_OK)
         return complain(store, err);
     sqlite3_busy_timeout(store->database, 10000);
     if (read_version(store, &version, err) != 0)

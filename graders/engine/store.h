@@ -36,13 +36,14 @@ int store_put(struct store *store, const char *student_folder, const char *exerc
 int store_prune(struct store *store, const json_t *keep, struct error *err) MUST_CHECK;
 
 /* Writes OUT/results/<student_folder>/<exercise>.json and the scenes
- * OUT/pictures/<student_folder>/<exercise>/<case>.json of every row; files of rows that are gone, or
- * of cases that are right now, are removed. */
+ * OUT/pictures/<student_folder>/<exercise>/<case>.json of every row; files of rows that are gone,
+ * or of cases that are right now, are removed. */
 int store_write_files(struct store *store, const char *out, struct error *err) MUST_CHECK;
 
 enum { STORE_DIGEST = 65 };
 
-/* SHA-256, in hexadecimal, of what decides a result: names and bytes of the files, or the refusal. */
+/* SHA-256, in hexadecimal, of what decides a result: names and bytes of the files, or the refusal.
+ */
 void store_digest(const struct source *sources, int source_count, const char *refusal,
                   char digest[STORE_DIGEST]);
 

@@ -1,0 +1,136 @@
+/* meshgrade check: a student's own check of one answer. */
+#include "graders/commands/common.h"
+#include "graders/commands/options.h"
+#include "graders/engine/classroom.h"
+#include "graders/engine/files.h"
+#include "graders/judges/table.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+struct request {
+    bool quick, json, all;
+    const char *only_case, *language, *picture_folder;
+};
+
+static int exit_code_of(const json_t *result)
+{
+    const char *verdict = json_string_value(json_object_get(result, "verdict"));
+    if (strcmp(verdict, verdict_name(VERDICT_FAULT)) == 0)
+        return EXIT_FAULT;
+    return strcmp(verdict, verdict_name(VERDICT_PASSED)) == 0 ? EXIT_PASSED : EXIT_NOT_PASSED;
+}
+
+static bool has_case(const char *exercise, const char *name)
+{
+    const struct judge *judge = judge_find(exercise);
+    for (size_t i = 0; judge && i < judge->case_count; i++)
+        if (strcmp(judge->cases[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+/* The text to repeat a case names the student's own files. */
+static void name_files(json_t *result, char **files, int count)
+{
+    size_t index;
+    json_t *entry;
+    json_array_foreach(json_object_get(result, "cases"), index, entry)
+    {
+        char text[1024];
+        size_t used = (size_t)snprintf(text, sizeof text, "meshgrade check %s",
+                                       json_string_value(json_object_get(result, "exercise")));
+        for (int i = 0; i < count && used < sizeof text; i++)
+            used += (size_t)snprintf(text + used, sizeof text - used, " %s", files[i]);
+        if (used < sizeof text)
+            snprintf(text + used, sizeof text - used, " --case %s",
+                     json_string_value(json_object_get(entry, "name")));
+        json_t *named = json_string(text);
+        if (named)
+            json_object_set_new(entry, "reproduce", named);
+    }
+}
+
+static int check(const struct exercise *exercise, const struct upload *upload,
+                 const struct request *request, struct outcome *outcome, struct error *err)
+{
+    struct trial_scope scope = {
+        .public_only = !request->all, .quick = request->quick, .only_case = request->only_case};
+    struct submitter submitter = {upload->student, upload->student_folder};
+    struct yardstick yardstick;
+    if (upload->refusal.refused)
+        return score_without_trial(exercise, &submitter, VERDICT_COMPILE_ERROR, &upload->refusal,
+                                   outcome, err);
+    bool uncounted = request->quick || request->only_case;
+    int result = yardstick_make(&yardstick, exercise, uncounted, err);
+    if (result == 0)
+        result = grade_submission(&yardstick, upload, &scope, outcome, err);
+    yardstick_release(&yardstick);
+    return result;
+}
+
+static int show(const struct request *request, json_t *result)
+{
+    struct terminal_style style = style_for(stdout, request->language);
+    if (request->json) {
+        json_dumpf(result, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
+        putchar('\n');
+    } else {
+        terminal_print_result(stdout, result, &style);
+    }
+    return exit_code_of(result);
+}
+
+static int run_files(const struct exercise *exercise, char **files, int count,
+                     const struct request *request)
+{
+    struct upload upload = {0};
+    struct outcome outcome = {0};
+    struct error err = {""};
+    int code;
+    bool talk = isatty(STDERR_FILENO) && !request->json;
+    if (talk)
+        fprintf(stderr, "checking %s ...\r", exercise->name);
+    if (upload_read_files((const char *const *)files, count, exercise->name, &upload, &err) != 0 ||
+        check(exercise, &upload, request, &outcome, &err) != 0) {
+        code = report_fault(&err);
+    } else {
+        name_files(outcome.result, files, count);
+        code = show(request, outcome.result);
+    }
+    outcome_release(&outcome);
+    upload_release(&upload);
+    return code;
+}
+
+static int run(int argc, char **argv)
+{
+    struct request request = {0};
+    const struct option_rule rules[] = {
+        {"quick", 'q', NULL, "a few cases, nothing counted: an answer in about a second", NULL,
+         &request.quick},
+        {"all", 0, NULL, "also the cases that are not public", NULL, &request.all},
+        {"case", 0, "NAME", "only this case", &request.only_case, NULL},
+        {"lang", 0, "en|es", "language of the report (default: by LANG)", &request.language, NULL},
+        {"json", 0, NULL, "the result as JSON", NULL, &request.json},
+        {0}};
+    struct exercise *exercises = NULL;
+    int count, code = EXIT_USAGE;
+    int at = options_parse(&command_check, rules, argc, argv);
+    if (at < 0 || argc - at < 2) {
+        fprintf(stderr, "usage: meshgrade check [options] EXERCISE FILE...\n");
+        return EXIT_USAGE;
+    }
+    if (load_exercises(&exercises, &count) != 0)
+        return EXIT_FAULT;
+    const struct exercise *exercise = need_exercise(exercises, count, argv[at]);
+    if (exercise && request.only_case && !has_case(exercise->name, request.only_case))
+        fprintf(stderr, "meshgrade: %s has no case \"%s\"\n", exercise->name, request.only_case);
+    else if (exercise)
+        code = run_files(exercise, argv + at + 1, argc - at - 1, &request);
+    free(exercises);
+    return code;
+}
+
+const struct command command_check = {"check", "EXERCISE FILE...", "check your own answer", run};

@@ -1,0 +1,56 @@
+/* What several commands share; see common.h. */
+#include "graders/commands/common.h"
+
+#include "graders/commands/options.h"
+#include "graders/engine/files.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+int report_fault(const struct error *err)
+{
+    fprintf(stderr, "meshgrade: %s\n", err->text);
+    return EXIT_FAULT;
+}
+
+int load_exercises(struct exercise **exercises, int *count)
+{
+    struct error err = {""};
+    const char *root = project_root(&err);
+    if (root && exercises_read(root, exercises, count, &err) == 0)
+        return 0;
+    report_fault(&err);
+    return -1;
+}
+
+const struct exercise *need_exercise(const struct exercise *exercises, int count, const char *name)
+{
+    const struct exercise *exercise = exercise_find(exercises, count, name);
+    if (!exercise)
+        fprintf(stderr, "meshgrade: there is no exercise \"%s\"; see meshgrade list\n", name);
+    return exercise;
+}
+
+struct terminal_style style_for(FILE *stream, const char *language)
+{
+    const char *none = getenv("NO_COLOR");
+    const char *lang = language ? language : getenv("LC_ALL");
+    if (!lang || !*lang)
+        lang = getenv("LC_MESSAGES");
+    if (!lang || !*lang)
+        lang = getenv("LANG");
+    return (struct terminal_style){.colour = isatty(fileno(stream)) && !(none && *none),
+                                   .spanish = lang && strncmp(lang, "es", 2) == 0};
+}
+
+const char *renderer_path(void)
+{
+    static char path[PATH_MAX];
+    const char *root = project_root(NULL);
+    if (!root)
+        return NULL;
+    snprintf(path, sizeof path, "%s/build/meshgrade-render", root);
+    return path;
+}

@@ -1,0 +1,26 @@
+/* What several commands share. */
+#ifndef GRADERS_COMMANDS_COMMON_H
+#define GRADERS_COMMANDS_COMMON_H
+
+#include "graders/engine/exercise.h"
+#include "graders/report/terminal.h"
+#include "reference/mesh/error.h"
+
+#include <stdio.h>
+
+/* The exercises of this tree; the caller frees *exercises. Says what is wrong and returns -1. */
+int load_exercises(struct exercise **exercises, int *count);
+
+/* The exercise of that name, or NULL after saying that there is none. */
+const struct exercise *need_exercise(const struct exercise *exercises, int count, const char *name);
+
+/* Colour only on a terminal and without NO_COLOR; language "en" or "es", NULL: by LANG. */
+struct terminal_style style_for(FILE *stream, const char *language);
+
+/* Prints "meshgrade: ..." and returns EXIT_FAULT. */
+int report_fault(const struct error *err);
+
+/* build/meshgrade-render beside this program. */
+const char *renderer_path(void);
+
+#endif

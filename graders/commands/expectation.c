@@ -1,0 +1,118 @@
+/* Reads what a submission is expected to get; see expectation.h. */
+#include "graders/commands/expectation.h"
+
+#include "graders/engine/files.h"
+#include "graders/engine/verdict.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *folder, *verdict;
+} kinds[] = {{"right", "passed"},           {"wrong", "wrong-answer"}, {"slow", "grows-too-fast"},
+             {"greedy", "too-much-memory"}, {"crash", "crash"},        {"leak", "leak"}};
+
+static const char *verdict_of_folder(const char *path)
+{
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        char part[32];
+        snprintf(part, sizeof part, "/%s/", kinds[i].folder);
+        if (strstr(path, part))
+            return kinds[i].verdict;
+    }
+    return "";
+}
+
+/* The rest of the line after `key` in the first comment, NULL when it is not there. */
+static const char *find_line(const char *comment, const char *key)
+{
+    const char *at = strstr(comment, key);
+    return at ? at + strlen(key) + strspn(at + strlen(key), " ") : NULL;
+}
+
+static void read_failures(const char *line, struct expectation *expectation)
+{
+    expectation->names_failures = true;
+    while (*line && *line != '\n' && expectation->failure_count < EXPECTED_FAILURES) {
+        size_t length = strcspn(line, ", \n*");
+        if (length > 0 && length < sizeof expectation->failures[0])
+            snprintf(expectation->failures[expectation->failure_count++],
+                     sizeof expectation->failures[0], "%.*s", (int)length, line);
+        line += length;
+        if (*line == '*')
+            return;
+        line += strspn(line, ", ");
+    }
+}
+
+int expectation_read(const char *path, struct expectation *expectation, struct error *err)
+{
+    char *text;
+    size_t count;
+    memset(expectation, 0, sizeof *expectation);
+    if (file_read(path, 1 << 20, &text, &count, err) != 0)
+        return -1;
+    char *end = strstr(text, "*/");
+    if (end)
+        end[1] = '\0';
+    const char *expect = find_line(text, "expect:"), *fails = find_line(text, "fails:");
+    if (expect)
+        snprintf(expectation->verdict, sizeof expectation->verdict, "%.*s",
+                 (int)strcspn(expect, " \n*,"), expect);
+    else
+        snprintf(expectation->verdict, sizeof expectation->verdict, "%s", verdict_of_folder(path));
+    if (fails)
+        read_failures(fails, expectation);
+    free(text);
+    if (verdict_of_name(expectation->verdict) == VERDICT_COUNT)
+        return error_set(err,
+                         "%s: \"%s\" is no verdict; its first comment needs a line expect:", path,
+                         expectation->verdict);
+    return 0;
+}
+
+static bool is_expected(const struct expectation *expectation, const char *name)
+{
+    for (int i = 0; i < expectation->failure_count; i++)
+        if (strcmp(expectation->failures[i], name) == 0)
+            return true;
+    return false;
+}
+
+static bool has_failed(const json_t *entry)
+{
+    const char *verdict = json_string_value(json_object_get(entry, "verdict"));
+    if (!verdict) /* a class */
+        return json_integer_value(json_object_get(entry, "passed")) <
+               json_integer_value(json_object_get(entry, "cases"));
+    return verdict_of_name(verdict) < VERDICT_PASSED;
+}
+
+bool expectation_failures_match(const struct expectation *expectation, const json_t *result,
+                                char *why, size_t capacity)
+{
+    static const char *const lists[] = {"classes", "checks"};
+    int met = 0;
+    if (!expectation->names_failures)
+        return true;
+    for (int list = 0; list < 2; list++) {
+        size_t index;
+        json_t *entry;
+        json_array_foreach(json_object_get(result, lists[list]), index, entry)
+        {
+            const char *name = json_string_value(json_object_get(entry, "name"));
+            bool expected = is_expected(expectation, name), failed = has_failed(entry);
+            met += expected;
+            if (expected == failed)
+                continue;
+            snprintf(why, capacity, "%s %s, which was %sexpected", name,
+                     failed ? "failed" : "did not fail", failed ? "not " : "");
+            return false;
+        }
+    }
+    if (met == expectation->failure_count)
+        return true;
+    snprintf(why, capacity, "`fails:` names something that is neither a class nor a check");
+    return false;
+}

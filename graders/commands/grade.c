@@ -1,0 +1,189 @@
+/* meshgrade grade: a class. */
+#include "graders/commands/common.h"
+#include "graders/commands/options.h"
+#include "graders/commands/publish.h"
+#include "graders/engine/classroom.h"
+#include "graders/engine/files.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct request {
+    const char *out, *jobs, *exercise, *only;
+    bool regrade, apply, no_pictures, json;
+};
+
+/* ---------------------------------------------------------------- progress */
+
+static void show_progress(const struct classroom *classroom, const json_t *result, int done,
+                          int total)
+{
+    (void)classroom;
+    if (!isatty(STDERR_FILENO))
+        return;
+    enum { WIDTH = 30 };
+    int filled = total ? done * WIDTH / total : WIDTH;
+    fprintf(stderr, "\r\033[K[%.*s%.*s] %d/%d  %.40s %.24s", filled,
+            "##############################", WIDTH - filled, "..............................",
+            done, total, json_string_value(json_object_get(result, "student_folder")),
+            json_string_value(json_object_get(result, "exercise")));
+    if (done == total)
+        fprintf(stderr, "\r\033[K");
+}
+
+/* ----------------------------------------------------------------- uploads */
+
+static const char **names_of(const struct exercise *exercises, int count)
+{
+    const char **names = calloc((size_t)count + 1, sizeof *names);
+    for (int i = 0; names && i < count; i++)
+        names[i] = exercises[i].name;
+    return names;
+}
+
+/* Keeps the uploads of one student, for --only. */
+static void keep_only(struct upload_list *list, const char *student)
+{
+    int kept = 0;
+    for (int i = 0; i < list->count; i++) {
+        if (strcmp(list->uploads[i].student, student) == 0 ||
+            strcmp(list->uploads[i].student_folder, student) == 0)
+            list->uploads[kept++] = list->uploads[i];
+        else
+            upload_release(&list->uploads[i]);
+    }
+    list->count = kept;
+}
+
+static void print_changes(const struct classroom *classroom)
+{
+    size_t index;
+    json_t *change;
+    json_array_foreach(classroom->changes, index, change)
+    {
+        const json_t *before = json_object_get(change, "before");
+        const json_t *after = json_object_get(change, "after");
+        const char *was = json_string_value(json_object_get(before, "verdict"));
+        fprintf(stderr, "  %-24s %-24s %s %.4g -> %s %.4g\n",
+                json_string_value(json_object_get(after, "student_folder")),
+                json_string_value(json_object_get(change, "exercise")), was ? was : "nothing",
+                json_number_value(json_object_get(before, "score")),
+                json_string_value(json_object_get(after, "verdict")),
+                json_number_value(json_object_get(after, "score")));
+    }
+    fprintf(stderr, "%zu results differ; %s\n", json_array_size(classroom->changes),
+            classroom->apply ? "applied" : "nothing was changed (--apply stores them)");
+}
+
+/* ------------------------------------------------------------------- grade */
+
+/* Scratch folders stand below OUT, so that what a killed run leaves is removed by the next. */
+static int use_scratch(const char *out, struct error *err)
+{
+    char path[PATH_MAX], absolute[PATH_MAX];
+    snprintf(path, sizeof path, "%s/scratch", out);
+    folder_remove(path);
+    if (folder_make(path, err) != 0)
+        return -1;
+    if (!realpath(path, absolute))
+        return error_set(err, "%s: cannot be resolved", path);
+    chmod(absolute, 0755);
+    setenv("TMPDIR", absolute, 1);
+    return 0;
+}
+
+static int grade(struct classroom *classroom, const struct request *request, struct error *err)
+{
+    struct store store;
+    char scratch[PATH_MAX];
+    int result = store_open(&store, request->out, err);
+    classroom->store = &store;
+    classroom->changes = json_array();
+    if (result == 0)
+        result = use_scratch(request->out, err);
+    if (result == 0)
+        result = classroom_grade(classroom, err);
+    if (result == 0)
+        result = store_write_files(&store, request->out, err);
+    snprintf(scratch, sizeof scratch, "%s/scratch", request->out);
+    folder_remove(scratch);
+    if (result == 0 && classroom->regrade)
+        print_changes(classroom);
+    json_decref(classroom->changes);
+    store_close(&store);
+    return result;
+}
+
+static int grade_paths(const struct exercise *exercises, int count, char **paths, int path_count,
+                       const struct request *request)
+{
+    struct upload_list uploads = {0};
+    struct error err = {""};
+    long jobs = options_number("jobs", request->jobs, 1, sysconf(_SC_NPROCESSORS_ONLN));
+    const char **names = names_of(exercises, count);
+    if (jobs < 1 || !names) {
+        free(names);
+        return EXIT_USAGE;
+    }
+    int code = EXIT_FAULT;
+    if (upload_read((const char *const *)paths, path_count, names, request->exercise, &uploads,
+                    &err) == 0) {
+        struct classroom classroom = {.exercises = exercises,
+                                      .exercise_count = count,
+                                      .uploads = &uploads,
+                                      .job_count = (int)jobs,
+                                      .regrade = request->regrade,
+                                      .apply = request->apply,
+                                      .keep_others =
+                                          request->exercise || request->only || request->regrade,
+                                      .progress = show_progress};
+        if (request->only)
+            keep_only(&uploads, request->only);
+        for (int i = 0; i < uploads.note_count; i++)
+            fprintf(stderr, "meshgrade: %s\n", uploads.notes[i]);
+        code = grade(&classroom, request, &err) == 0
+                   ? publish(request->out, !request->no_pictures, request->json, &err)
+                   : EXIT_FAULT;
+    }
+    if (code == EXIT_FAULT && err.text[0])
+        report_fault(&err);
+    upload_list_release(&uploads);
+    free(names);
+    return code;
+}
+
+static int run(int argc, char **argv)
+{
+    struct request request = {0};
+    const struct option_rule rules[] = {
+        {"out", 'o', "FOLDER", "where results, pages and pictures go (needed)", &request.out, NULL},
+        {"jobs", 'j', "N", "submissions at a time (default: one a core)", &request.jobs, NULL},
+        {"exercise", 'e', "NAME", "everything given is for this exercise", &request.exercise, NULL},
+        {"only", 0, "STUDENT", "only this student", &request.only, NULL},
+        {"rejudge", 0, NULL, "grade again what is graded, and show what would change", NULL,
+         &request.regrade},
+        {"apply", 0, NULL, "with --rejudge: store the changes", NULL, &request.apply},
+        {"no-pictures", 0, NULL, "leave the pictures for meshgrade report", NULL,
+         &request.no_pictures},
+        {"json", 0, NULL, "the results as JSON instead of the table", NULL, &request.json},
+        {0}};
+    struct exercise *exercises = NULL;
+    int count, code = EXIT_USAGE;
+    int at = options_parse(&command_grade, rules, argc, argv);
+    if (at < 0 || at >= argc || !request.out) {
+        fprintf(stderr, "usage: meshgrade grade [options] PATH... -o FOLDER\n");
+        return EXIT_USAGE;
+    }
+    if (load_exercises(&exercises, &count) != 0)
+        return EXIT_FAULT;
+    if (!request.exercise || need_exercise(exercises, count, request.exercise))
+        code = grade_paths(exercises, count, argv + at, argc - at, &request);
+    free(exercises);
+    return code;
+}
+
+const struct command command_grade = {
+    "grade", "PATH... -o FOLDER", "grade a class: folders or archives; goes on where it stopped",
+    run};

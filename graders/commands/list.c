@@ -1,0 +1,47 @@
+/* meshgrade list: the exercises. */
+#include "graders/commands/options.h"
+#include "graders/engine/exercise.h"
+#include "graders/engine/files.h"
+
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void print_json(const struct exercise *exercises, int count)
+{
+    json_auto_t *list = json_array();
+    for (int i = 0; i < count; i++) {
+        const struct exercise *e = &exercises[i];
+        json_array_append_new(list, json_pack("{s:s, s:s, s:s, s:{s:s, s:s}, s:f}", "name", e->name,
+                                              "group", e->group, "problem", e->problem, "title",
+                                              "en", e->title.english, "es", e->title.spanish,
+                                              "max_score", e->max_score));
+    }
+    json_dumpf(list, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
+    putchar('\n');
+}
+
+static int run(int argc, char **argv)
+{
+    bool json = false;
+    const struct option_rule rules[] = {{"json", 0, NULL, "as JSON", NULL, &json}, {0}};
+    struct exercise *exercises;
+    struct error err = {""};
+    int count;
+    if (options_parse(&command_list, rules, argc, argv) < 0)
+        return EXIT_USAGE;
+    const char *root = project_root(&err);
+    if (!root || exercises_read(root, &exercises, &count, &err) != 0) {
+        fprintf(stderr, "meshgrade: %s\n", err.text);
+        return EXIT_FAULT;
+    }
+    if (json)
+        print_json(exercises, count);
+    for (int i = 0; i < count && !json; i++)
+        printf("%-24s %-8s %4.4g points  %s\n", exercises[i].name, exercises[i].problem,
+               exercises[i].max_score, exercises[i].title.english);
+    free(exercises);
+    return EXIT_PASSED;
+}
+
+const struct command command_list = {"list", "", "the exercises, their problems and points", run};

@@ -1,0 +1,91 @@
+/* Parses options by a table; see options.h. */
+#include "graders/commands/options.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { OPTIONS_MAX = 16, LONG_ONLY = 256 };
+
+static void print_help(const struct command *command, const struct option_rule *rules)
+{
+    printf("usage: meshgrade %s [options] %s\n%s\n", command->name, command->arguments,
+           command->help);
+    for (const struct option_rule *rule = rules; rule->name; rule++) {
+        char left[64];
+        snprintf(left, sizeof left, "%c%c%s --%s%s%s", rule->letter ? '-' : ' ',
+                 rule->letter ? rule->letter : ' ', rule->letter ? "," : " ", rule->name,
+                 rule->argument ? " " : "", rule->argument ? rule->argument : "");
+        printf("  %-26s %s\n", left, rule->help);
+    }
+    printf("  %-26s %s\n", "-h, --help", "this help");
+}
+
+static void build_tables(const struct option_rule *rules, struct option *longs, char *shorts)
+{
+    int count = 0;
+    *shorts++ = 'h';
+    for (const struct option_rule *rule = rules; rule->name && count < OPTIONS_MAX; rule++) {
+        longs[count] = (struct option){rule->name, rule->argument ? required_argument : no_argument,
+                                       NULL, LONG_ONLY + count};
+        count++;
+        if (rule->letter)
+            *shorts++ = rule->letter;
+        if (rule->letter && rule->argument)
+            *shorts++ = ':';
+    }
+    longs[count] = (struct option){"help", no_argument, NULL, 'h'};
+    longs[count + 1] = (struct option){NULL, 0, NULL, 0};
+    *shorts = '\0';
+}
+
+static const struct option_rule *rule_of(const struct option_rule *rules, int code)
+{
+    if (code >= LONG_ONLY)
+        return &rules[code - LONG_ONLY];
+    for (const struct option_rule *rule = rules; rule->name; rule++)
+        if (rule->letter == code)
+            return rule;
+    return NULL;
+}
+
+int options_parse(const struct command *command, const struct option_rule *rules, int argc,
+                  char **argv)
+{
+    struct option longs[OPTIONS_MAX + 2];
+    char shorts[2 * OPTIONS_MAX + 2];
+    int code;
+    build_tables(rules, longs, shorts);
+    optind = 1;
+    while ((code = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
+        if (code == 'h') {
+            print_help(command, rules);
+            exit(EXIT_PASSED);
+        }
+        const struct option_rule *rule = rule_of(rules, code);
+        if (!rule) {
+            fprintf(stderr, "meshgrade: see meshgrade %s --help\n", command->name);
+            return -1;
+        }
+        if (rule->text)
+            *rule->text = optarg;
+        if (rule->flag)
+            *rule->flag = true;
+    }
+    return optind;
+}
+
+long options_number(const char *name, const char *text, long least, long absent)
+{
+    char *end;
+    if (!text)
+        return absent;
+    long number = strtol(text, &end, 10);
+    if (end == text || *end != '\0' || number < least) {
+        fprintf(stderr, "meshgrade: --%s %s: expected a whole number of at least %ld\n", name, text,
+                least);
+        return -1;
+    }
+    return number;
+}

@@ -1,0 +1,72 @@
+/* Publishes a graded class; see publish.h. */
+#include "graders/commands/publish.h"
+
+#include "graders/commands/common.h"
+#include "graders/commands/options.h"
+#include "graders/engine/files.h"
+#include "graders/report/report.h"
+
+#include <glob.h>
+#include <jansson.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+static json_t *load_results(const char *out)
+{
+    char pattern[PATH_MAX];
+    glob_t found;
+    json_t *results = json_array();
+    snprintf(pattern, sizeof pattern, "%s/results/*/*.json", out);
+    if (glob(pattern, 0, NULL, &found) == 0)
+        for (size_t i = 0; i < found.gl_pathc; i++)
+            json_array_append_new(results, json_load_file(found.gl_pathv[i], 0, NULL));
+    globfree(&found);
+    return results;
+}
+
+static int exit_code(const json_t *results)
+{
+    int code = EXIT_PASSED;
+    size_t index;
+    json_t *result;
+    json_array_foreach(results, index, result)
+    {
+        const char *verdict = json_string_value(json_object_get(result, "verdict"));
+        if (!verdict || strcmp(verdict, "fault") == 0)
+            return EXIT_FAULT;
+        if (strcmp(verdict, "passed") != 0)
+            code = EXIT_NOT_PASSED;
+    }
+    return code;
+}
+
+static int draw(const char *out, struct error *err)
+{
+    char reason[400];
+    fprintf(stderr, "drawing pictures ...\n");
+    if (report_pictures(out, renderer_path(), err) < 0)
+        return -1;
+    report_pictures_reason(out, reason, sizeof reason);
+    if (reason[0])
+        fprintf(stderr, "meshgrade: %s\n", reason);
+    return 0;
+}
+
+int publish(const char *out, bool pictures, bool json, struct error *err)
+{
+    char page[PATH_MAX + 16], absolute[PATH_MAX];
+    const char *root = project_root(err);
+    if (!root || (pictures && draw(out, err) != 0) || report_grades(out, err) != 0 ||
+        report_pages(out, root, err) != 0)
+        return EXIT_FAULT;
+    json_auto_t *results = load_results(out);
+    struct terminal_style style = style_for(stdout, NULL);
+    if (json)
+        json_dumpf(results, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
+    else
+        terminal_print_marks(stdout, results, &style);
+    snprintf(page, sizeof page, "%s/index.html", out);
+    fprintf(stderr, "class page: %s\n", realpath(page, absolute) ? absolute : page);
+    return exit_code(results);
+}

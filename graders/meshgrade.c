@@ -1,0 +1,47 @@
+/* meshgrade: the command line. Each command is a file in graders/commands. */
+#include "graders/commands/options.h"
+#include "graders/engine/score.h"
+
+#include <locale.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct command *const commands[] = {
+    &command_list,   &command_start,  &command_check,    &command_grade,
+    &command_report, &command_export, &command_validate, &command_doctor};
+enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
+
+static void print_usage(FILE *to)
+{
+    fprintf(to, "meshgrade grades C solutions to problems on triangle meshes.\n\n"
+                "usage: meshgrade COMMAND [options] ...\n\n");
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        char left[64];
+        snprintf(left, sizeof left, "%s %s", commands[i]->name, commands[i]->arguments);
+        fprintf(to, "  %-34s %s\n", left, commands[i]->help);
+    }
+    fprintf(to, "\n  meshgrade COMMAND --help tells its options; meshgrade --version the version.\n"
+                "  exit codes: 0 all passed, 1 something did not pass, 2 the grader failed, 64 "
+                "wrong usage\n");
+}
+
+int main(int argc, char **argv)
+{
+    setlocale(LC_CTYPE, "C.UTF-8"); /* for the width of characters; numbers stay as in C */
+    const char *name = argc > 1 ? argv[1] : "";
+    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
+        print_usage(stdout);
+        return EXIT_PASSED;
+    }
+    if (strcmp(name, "--version") == 0) {
+        printf("meshgrade %s\n", meshgrade_version());
+        return EXIT_PASSED;
+    }
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(commands[i]->name, name) == 0)
+            return commands[i]->run(argc - 1, argv + 1);
+    if (*name)
+        fprintf(stderr, "meshgrade: there is no command \"%s\"\n\n", name);
+    print_usage(stderr);
+    return EXIT_USAGE;
+}
