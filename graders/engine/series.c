@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { TOOL_MEMORY_BYTES = 1 << 30, CPU_SECONDS = 600 };
+enum { TOOL_MEMORY_BYTES = 1 << 30, CPU_SECONDS = 600, TOOL_ARGUMENTS = 14 };
 
 /* How each tool is run. Programs are named relative to /work, so that their counts do not depend on
  * the host's paths. GLIBC_TUNABLES pins libc's choice of string functions: counts then agree
@@ -13,8 +13,8 @@ enum { TOOL_MEMORY_BYTES = 1 << 30, CPU_SECONDS = 600 };
 static const struct {
     enum program_kind program;
     uint32_t mode;
-    char *argv[14];
-    char *envp[6];
+    const char *argv[TOOL_ARGUMENTS];
+    const char *envp[TOOL_ARGUMENTS];
 } tools[] = {
     [SERIES_PLAIN] = {PROGRAM_PLAIN, MODE_PLAIN, {NULL}, {NULL}},
     [SERIES_CALLGRIND] = {PROGRAM_PLAIN,
@@ -63,11 +63,14 @@ int series_start(struct series *series, const struct series_plan *plan, struct e
     if (region_make(&series->input, plan->input_bytes, true, err) != 0 ||
         make_folder(series, plan, err) != 0)
         return -1;
+    char *argv[TOOL_ARGUMENTS], *envp[TOOL_ARGUMENTS]; /* exec takes them without const */
+    memcpy(argv, tools[plan->tool].argv, sizeof argv);
+    memcpy(envp, tools[plan->tool].envp, sizeof envp);
     struct session_plan session = {
         .profile = plain ? BOX_RUN : BOX_TOOLS,
         .program_fd = plain ? plan->build->program_fd[PROGRAM_PLAIN] : -1,
-        .argv = plain ? NULL : (char *const *)tools[plan->tool].argv,
-        .envp = plain ? NULL : (char *const *)tools[plan->tool].envp,
+        .argv = plain ? NULL : argv,
+        .envp = plain ? NULL : envp,
         .work_folder = plain ? NULL : series->folder,
         .input = &series->input,
         .answer_bytes = plan->answer_bytes,

@@ -79,7 +79,8 @@ static void fill_box_plan(const struct session *session, const struct session_pl
         .process_count = 8,
         .cpu = plan->cpu,
     };
-    static char *const nameless[] = {"submission", NULL};
+    static char name[] = "submission";
+    static char *const nameless[] = {name, NULL};
     if (!box->argv)
         box->argv = nameless;
 }
