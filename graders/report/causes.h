@@ -1,0 +1,29 @@
+/* Why points were lost: the causes of an exercise's rejected cases and failed checks over a class.
+ */
+#ifndef GRADERS_REPORT_CAUSES_H
+#define GRADERS_REPORT_CAUSES_H
+
+#include "graders/report/results.h"
+
+struct cause {
+    const char *slug;      /* borrowed: a case's cause, "duplicate-edge", or a check's verdict */
+    struct words example;  /* borrowed: the first message with this cause; may be empty */
+    const json_t *result;  /* the result that the example is from */
+    const char *case_name; /* the first case with this cause and a scene; NULL when there is none */
+    const json_t *scene_result; /* and its result */
+    size_t student_count;
+    bool *has_student; /* one a student of the gradebook */
+};
+
+struct causes {
+    struct cause *list; /* most frequent first, then by slug */
+    size_t count;
+    size_t answer_count; /* students who submitted the exercise */
+};
+
+/* Counts each cause once a student. Release the causes before the gradebook. */
+int causes_of(const struct gradebook *book, size_t exercise, struct causes *causes,
+              struct error *err) MUST_CHECK;
+void causes_release(struct causes *causes);
+
+#endif

@@ -1,0 +1,313 @@
+/* Charts from measures, and their drawing as SVG; see chart.h. */
+#include "graders/report/chart.h"
+
+#include "graders/report/results.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---------------------------------------------------------------- scenes from measures */
+
+const json_t *chart_growth_family(const json_t *result)
+{
+    const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
+    const json_t *worst = NULL;
+    double worst_exponent = -1;
+    size_t i;
+    json_t *family;
+    json_array_foreach(json_object_get(growth, "families"), i, family)
+    {
+        double exponent = result_number(json_object_get(family, "fit"), "exponent");
+        if (exponent > worst_exponent) {
+            worst = family;
+            worst_exponent = exponent;
+        }
+    }
+    return worst;
+}
+
+/* A scene of two curves over the sizes of a family. `words` are {x_label, title}. */
+static json_t *two_curves(const json_t *result, const json_t *family, const char *own_key,
+                          const char *reference_key, const char *y_label, const char *title)
+{
+    const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
+    struct words element = words_in(growth, "element");
+    char x_label[64];
+    snprintf(x_label, sizeof x_label, "%.40s%s", *element.en ? element.en : "element", "s");
+    return json_pack(
+        "{s:s, s:s, s:s%, s:[{s:s, s:O, s:O, s:f}, {s:s, s:O, s:O, s:f}], s:s, s:s,"
+        " s:{s:O, s:s, s:O}}",
+        "kind", "chart", "title", title, "subtitle", result_text(family, "name"),
+        json_string_length(json_object_get(family, "name")), "curves", "name", "submission", "x",
+        json_object_get(family, "sizes"), "y", json_object_get(family, own_key), "exponent",
+        result_number(json_object_get(family, "fit"), "exponent"), "name", "reference", "x",
+        json_object_get(family, "sizes"), "y", json_object_get(family, reference_key), "exponent",
+        0.0, "x_label", x_label, "y_label", y_label, "metadata", "exercise",
+        json_object_get(result, "exercise"), "case", title, "verdict",
+        json_object_get(result, "verdict"));
+}
+
+json_t *chart_of_growth(const json_t *result)
+{
+    const json_t *family = chart_growth_family(result);
+    if (!family || json_array_size(json_object_get(family, "sizes")) < 2)
+        return NULL;
+    return two_curves(result, family, "instructions", "reference_instructions", "instructions",
+                      "growth of the work");
+}
+
+json_t *chart_of_memory(const json_t *result)
+{
+    const json_t *memory = json_object_get(json_object_get(result, "measures"), "memory");
+    const json_t *family = json_array_get(json_object_get(memory, "families"), 0);
+    if (!family || json_array_size(json_object_get(family, "sizes")) < 2)
+        return NULL;
+    return two_curves(result, family, "peak_bytes", "reference_peak_bytes", "bytes", "peak memory");
+}
+
+/* ---------------------------------------------------------------- drawing */
+
+enum { WIDTH = 560, HEIGHT = 340, LEFT = 66, RIGHT = 18, TOP = 18, BOTTOM = 52, MAX_CURVES = 6 };
+
+struct axis {
+    double low, high; /* log10 of the ends */
+    double from, to;  /* where they lie, in SVG units */
+};
+
+static double on_axis(const struct axis *axis, double value)
+{
+    double share = (log10(value) - axis->low) / (axis->high - axis->low);
+    return axis->from + share * (axis->to - axis->from);
+}
+
+static void extend(struct axis *axis, const json_t *values)
+{
+    size_t i;
+    json_t *value;
+    json_array_foreach(values, i, value)
+    {
+        double number = json_number_value(value);
+        if (!(number > 0))
+            continue;
+        axis->low = fmin(axis->low, log10(number));
+        axis->high = fmax(axis->high, log10(number));
+    }
+}
+
+void chart_number(double value, char *text, size_t capacity)
+{
+    static const char *const units[] = {"", "k", "M", "G", "T"};
+    size_t unit = 0;
+    while (fabs(value) >= (unit == 0 ? 9999.5 : 999.5) && unit + 1 < sizeof units / sizeof *units) {
+        value /= 1000;
+        unit++;
+    }
+    int decimals = value == rint(value) || fabs(value) >= 99.95 ? 0 : fabs(value) >= 9.995 ? 1 : 2;
+    snprintf(text, capacity, "%.*f%s", decimals, value, units[unit]);
+}
+
+static void attribute(struct html *page, const char *name, double value)
+{
+    html_attribute_format(page, name, "%.1f", value);
+}
+
+static void draw_line(struct html *page, const char *class_name, double x1, double y1, double x2,
+                      double y2)
+{
+    html_open(page, "line");
+    html_attribute(page, "class", class_name);
+    attribute(page, "x1", x1);
+    attribute(page, "y1", y1);
+    attribute(page, "x2", x2);
+    attribute(page, "y2", y2);
+    html_close(page, "line");
+}
+
+static void draw_text(struct html *page, const char *anchor, double x, double y, const char *text)
+{
+    html_open(page, "text");
+    html_attribute(page, "text-anchor", anchor);
+    attribute(page, "x", x);
+    attribute(page, "y", y);
+    html_text(page, text);
+    html_close(page, "text");
+}
+
+/* Lines and labels at powers of ten, and at 2 and 5 times them on a short axis. */
+static void draw_ticks(struct html *page, const struct axis *axis, bool is_x)
+{
+    static const double steps[] = {1, 2, 5};
+    double decades = axis->high - axis->low;
+    int stride = decades > 7 ? (int)ceil(decades / 7) : 1;
+    for (int power = (int)floor(axis->low); power <= (int)ceil(axis->high); power++) {
+        for (size_t i = 0; i < (decades < 2.2 ? 3 : 1); i++) {
+            double value = steps[i] * pow(10, power);
+            double at = log10(value);
+            if (at < axis->low - 1e-9 || at > axis->high + 1e-9 || power % stride != 0)
+                continue;
+            char label[24];
+            chart_number(value, label, sizeof label);
+            double where = on_axis(axis, value);
+            if (is_x) {
+                draw_line(page, "grid", where, TOP, where, HEIGHT - BOTTOM);
+                draw_text(page, "middle", where, HEIGHT - BOTTOM + 17, label);
+            } else {
+                draw_line(page, "grid", LEFT, where, WIDTH - RIGHT, where);
+                draw_text(page, "end", LEFT - 7, where + 4, label);
+            }
+        }
+    }
+}
+
+/* A point of a curve: discs, squares and diamonds, so that no curve is told by its colour alone. */
+static void draw_point(struct html *page, size_t number, double x, double y)
+{
+    enum { RADIUS = 4 };
+    if (number % 3 == 0) {
+        html_open(page, "circle");
+        attribute(page, "cx", x);
+        attribute(page, "cy", y);
+        attribute(page, "r", RADIUS);
+        html_close(page, "circle");
+        return;
+    }
+    html_open(page, "rect");
+    attribute(page, "x", x - RADIUS + 0.5);
+    attribute(page, "y", y - RADIUS + 0.5);
+    attribute(page, "width", 2 * RADIUS - 1);
+    attribute(page, "height", 2 * RADIUS - 1);
+    if (number % 3 == 2)
+        html_attribute_format(page, "transform", "rotate(45 %.1f %.1f)", x, y);
+    html_close(page, "rect");
+}
+
+static void draw_curve(struct html *page, const json_t *curve, size_t number, const struct axis *x,
+                       const struct axis *y)
+{
+    const json_t *xs = json_object_get(curve, "x");
+    const json_t *ys = json_object_get(curve, "y");
+    html_open(page, "g");
+    html_attribute_format(page, "class", "curve curve-%zu", number);
+    double last_x = 0;
+    double last_y = 0;
+    bool has_last = false;
+    for (size_t i = 0; i < json_array_size(xs) && i < json_array_size(ys); i++) {
+        double x_value = json_number_value(json_array_get(xs, i));
+        double y_value = json_number_value(json_array_get(ys, i));
+        if (!(x_value > 0 && y_value > 0))
+            continue;
+        double px = on_axis(x, x_value);
+        double py = on_axis(y, y_value);
+        if (has_last)
+            draw_line(page, "stroke", last_x, last_y, px, py);
+        draw_point(page, number, px, py);
+        last_x = px;
+        last_y = py;
+        has_last = true;
+    }
+    html_close(page, "g");
+}
+
+/* The curve's name; the engine's own two in both languages. */
+static struct words curve_name(const char *name)
+{
+    if (strcmp(name, "submission") == 0)
+        return (struct words){"submission", "entrega"};
+    if (strcmp(name, "reference") == 0)
+        return (struct words){"reference", "referencia"};
+    return (struct words){name, name};
+}
+
+static void draw_words(struct html *page, struct words words, const char *tail)
+{
+    const char *const texts[] = {words.en, words.es};
+    const char *const languages[] = {"en", "es"};
+    for (int i = 0; i < 2; i++) {
+        html_open(page, "tspan");
+        html_attribute(page, "lang", languages[i]);
+        html_format(page, "%s%s", texts[i], tail);
+        html_close(page, "tspan");
+    }
+}
+
+static void draw_legend(struct html *page, const json_t *curves)
+{
+    for (size_t i = 0; i < json_array_size(curves) && i < MAX_CURVES; i++) {
+        const json_t *curve = json_array_get(curves, i);
+        double y = TOP + 16 + 20.0 * (double)i;
+        html_open(page, "g");
+        html_attribute_format(page, "class", "curve curve-%zu", i);
+        draw_line(page, "stroke", LEFT + 14, y, LEFT + 40, y);
+        draw_point(page, i, LEFT + 27, y);
+        html_close(page, "g");
+        char tail[40] = "";
+        double exponent = result_number(curve, "exponent");
+        if (exponent > 0)
+            snprintf(tail, sizeof tail, " ~ n^%.2f", exponent);
+        html_open(page, "text");
+        attribute(page, "x", LEFT + 48);
+        attribute(page, "y", y + 4);
+        draw_words(page, curve_name(result_text(curve, "name")), tail);
+        html_close(page, "text");
+    }
+}
+
+static struct words axis_name(const char *name)
+{
+    static const struct words known[] = {{"instructions", "instrucciones"},
+                                         {"bytes", "bytes"},
+                                         {"triangles", "triángulos"},
+                                         {"elements", "elementos"},
+                                         {"vertices", "vértices"}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strcmp(known[i].en, name) == 0)
+            return known[i];
+    return (struct words){name, name};
+}
+
+static void draw_axis_names(struct html *page, const json_t *scene)
+{
+    html_open(page, "text");
+    html_attribute(page, "class", "axis-name");
+    html_attribute(page, "text-anchor", "middle");
+    attribute(page, "x", (LEFT + WIDTH - RIGHT) / 2.0);
+    attribute(page, "y", HEIGHT - 12);
+    draw_words(page, axis_name(result_text(scene, "x_label")), "");
+    html_close(page, "text");
+    html_open(page, "text");
+    html_attribute(page, "class", "axis-name");
+    html_attribute(page, "text-anchor", "middle");
+    html_attribute_format(page, "transform", "translate(16 %.1f) rotate(-90)",
+                          (TOP + HEIGHT - BOTTOM) / 2.0);
+    draw_words(page, axis_name(result_text(scene, "y_label")), "");
+    html_close(page, "text");
+}
+
+void chart_draw(struct html *page, const json_t *scene, struct words label)
+{
+    const json_t *curves = json_object_get(scene, "curves");
+    struct axis x = {INFINITY, -INFINITY, LEFT + 16, WIDTH - RIGHT - 10};
+    struct axis y = {INFINITY, -INFINITY, HEIGHT - BOTTOM - 10, TOP + 10};
+    for (size_t i = 0; i < json_array_size(curves) && i < MAX_CURVES; i++) {
+        extend(&x, json_object_get(json_array_get(curves, i), "x"));
+        extend(&y, json_object_get(json_array_get(curves, i), "y"));
+    }
+    if (!(x.low < x.high && y.low < y.high))
+        return;
+
+    html_open(page, "svg");
+    html_attribute(page, "class", "chart");
+    html_attribute(page, "role", "img");
+    html_attribute_format(page, "viewBox", "0 0 %d %d", WIDTH, HEIGHT);
+    html_both_attribute(page, "aria-label", label);
+    draw_ticks(page, &x, true);
+    draw_ticks(page, &y, false);
+    draw_line(page, "axis", LEFT, HEIGHT - BOTTOM, WIDTH - RIGHT, HEIGHT - BOTTOM);
+    draw_line(page, "axis", LEFT, TOP, LEFT, HEIGHT - BOTTOM);
+    for (size_t i = json_array_size(curves); i-- > 0;)
+        if (i < MAX_CURVES)
+            draw_curve(page, json_array_get(curves, i), i, &x, &y);
+    draw_legend(page, curves);
+    draw_axis_names(page, scene);
+    html_close(page, "svg");
+}

@@ -1,0 +1,62 @@
+/* The parts that the class page and the student pages share, and the two pages. */
+#ifndef GRADERS_REPORT_PAGE_H
+#define GRADERS_REPORT_PAGE_H
+
+#include "graders/report/html.h"
+#include "graders/report/results.h"
+
+/* Where a page stands and what it needs. */
+struct page_context {
+    const char *out;               /* the report's folder */
+    const char *up;                /* from the page to it: "" or "../" */
+    bool has_three;                /* the library of the interactive view is in assets/ */
+    const json_t *pictures_status; /* what report_pictures left, or NULL */
+};
+
+/* Everything from <html> to the start of <main>; `course` stands in the header. */
+void page_begin(struct html *page, const struct page_context *context, const char *title,
+                struct words course, bool has_views);
+void page_end(struct html *page, const struct gradebook *book);
+
+/* The symbol of an outcome, with its word for those who do not see it. */
+void page_symbol(struct html *page, enum outcome outcome);
+
+/* "7.5 / 10" with the outcome's colour; "not scored" for fault and flagged. */
+void page_score(struct html *page, const json_t *result);
+
+/* A label made from a verdict, coloured by its outcome. */
+void page_verdict(struct html *page, const char *verdict);
+
+/* Whether a file below the report's folder exists. */
+bool page_has_file(const struct page_context *context, const char *path);
+
+/* An <img> in a link to itself. `path` is below the report's folder. */
+void page_picture(struct html *page, const struct page_context *context, const char *path,
+                  struct words alt);
+
+/* The report's line when pictures are missing: "Pictures were not drawn: ...". */
+void page_pictures_note(struct html *page, const struct page_context *context);
+
+/* Layers that were active and inactive, and probes that were missing, over some results. */
+void page_protections(struct html *page, json_t *const *results, size_t count);
+
+/* The course that the results name, "Triangle meshes" where they name none. */
+struct words page_course(const struct gradebook *book);
+
+/* The two pages, from <html> to </html>. */
+void page_class(struct html *page, const struct page_context *context,
+                const struct gradebook *book);
+void page_student(struct html *page, const struct page_context *context,
+                  const struct gradebook *book, const struct student *student);
+
+/* The section of most frequent causes of the class page. */
+void page_causes(struct html *page, const struct gradebook *book);
+
+/* A rejected case of a student page: message, picture, view, command. */
+void page_case(struct html *page, const struct page_context *context, const json_t *result,
+               const json_t *one);
+
+/* Work and memory of a result: charts, doubling table, bars. Nothing when nothing was measured. */
+void page_measures(struct html *page, const json_t *result);
+
+#endif

@@ -1,0 +1,180 @@
+/* A rejected case: what is wrong and where, its picture, a view to turn, the command to see it
+ * again. */
+#include "graders/report/page.h"
+
+#include "graders/report/chart.h"
+#include "graders/report/files.h"
+
+#include <string.h>
+
+static const struct {
+    const char *kind;
+    struct words words;
+} mark_words[] = {
+    {"missing", {"missing", "falta"}},   {"duplicate", {"duplicate", "duplicada"}},
+    {"extra", {"extra", "sobra"}},       {"degenerate", {"degenerate", "degenerada"}},
+    {"boundary", {"boundary", "borde"}}, {"flipped", {"flipped", "invertida"}},
+    {"wrong", {"wrong", "incorrecta"}},
+};
+
+static void write_legend_entry(struct html *page, const char *kind, struct words words,
+                               json_int_t count)
+{
+    html_open(page, "li");
+    html_open(page, "span");
+    html_attribute_format(page, "class", "swatch mark-%s", kind);
+    html_attribute(page, "aria-hidden", "true");
+    html_close(page, "span");
+    html_text(page, " ");
+    html_both(page, words);
+    html_format(page, " %lld", count);
+    html_close(page, "li");
+}
+
+static void write_legend(struct html *page, const json_t *scene)
+{
+    const json_t *counts = json_object_get(scene, "mark_counts");
+    const json_t *ok_count = json_object_get(scene, "ok_count");
+    html_open(page, "ul");
+    html_attribute(page, "class", "legend");
+    if (json_integer_value(ok_count) > 0)
+        write_legend_entry(page, "ok", (struct words){"right", "bien"},
+                           json_integer_value(ok_count));
+    for (size_t i = 0; i < sizeof mark_words / sizeof *mark_words; i++) {
+        json_int_t count = json_integer_value(json_object_get(counts, mark_words[i].kind));
+        if (count > 0)
+            write_legend_entry(page, mark_words[i].kind, mark_words[i].words, count);
+    }
+    html_close(page, "ul");
+    if (json_is_true(json_object_get(scene, "cut")))
+        html_both_leaf(page, "p", "quiet",
+                       (struct words){"Only the neighbourhood of the marks is shown.",
+                                      "Solo se muestra el entorno de las marcas."});
+}
+
+/* The view's data stands in a script of its own, because a page that was opened from a file may
+ * load scripts and nothing else; viewer.js loads it when it is asked for. */
+static int write_scene_script(const struct page_context *context, const char *stem,
+                              const json_t *scene, struct error *err)
+{
+    char path[FILE_PATH_BYTES];
+    char *text = json_dumps(scene, JSON_COMPACT | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(15));
+    char *script = NULL;
+    if (!text || asprintf(&script, "meshgrade_scene(\"%s\", %s);\n", stem, text) < 0)
+        script = NULL;
+    int status = script ? 0 : error_set(err, "out of memory for a scene");
+    if (status == 0 && file_path(path, err, "%s/%s.js", context->out, stem) == 0)
+        status = file_write(path, script, strlen(script), err);
+    free(script);
+    free(text);
+    return status;
+}
+
+static void write_view(struct html *page, const struct page_context *context, const char *stem,
+                       const json_t *scene)
+{
+    char path[FILE_PATH_BYTES];
+    struct error err = {""};
+    if (write_scene_script(context, stem, scene, &err) != 0 ||
+        file_path(path, &err, "%s%s.js", context->up, stem) != 0) {
+        page->fault = "a scene could not be written beside its picture";
+        return;
+    }
+    html_open(page, "div");
+    html_attribute(page, "class", "view");
+    html_path(page, "data-scene", path);
+    html_attribute(page, "data-key", stem);
+    html_open(page, "button");
+    html_attribute(page, "type", "button");
+    html_attribute(page, "class", "turn");
+    html_flag(page, "hidden");
+    html_both(page, (struct words){"Turn it in 3D", "Girarlo en 3D"});
+    html_close(page, "button");
+    html_close(page, "div");
+}
+
+static void write_figure(struct html *page, const struct page_context *context, const char *stem,
+                         const json_t *scene, struct words message)
+{
+    char picture[FILE_PATH_BYTES];
+    struct error ignored = {""};
+    bool is_chart = strcmp(result_text(scene, "kind"), "chart") == 0;
+    html_open(page, "figure");
+    if (is_chart)
+        chart_draw(page, scene, message);
+    else if (file_path(picture, &ignored, "%s.png", stem) == 0 && page_has_file(context, picture))
+        page_picture(page, context, picture, message);
+    if (!is_chart && context->has_three)
+        write_view(page, context, stem, scene);
+    if (!is_chart) {
+        html_open(page, "figcaption");
+        write_legend(page, scene);
+        html_close(page, "figcaption");
+    }
+    html_close(page, "figure");
+}
+
+static void write_term(struct html *page, struct words term, const char *tag, const char *text)
+{
+    if (*text == '\0')
+        return;
+    html_both_leaf(page, "dt", NULL, term);
+    html_open(page, "dd");
+    html_leaf(page, tag, NULL, text);
+    html_close(page, "dd");
+}
+
+static void write_facts(struct html *page, const json_t *result, const json_t *one)
+{
+    html_open(page, "dl");
+    write_term(page, (struct words){"where", "dónde"}, "span", result_text(one, "element"));
+    size_t i;
+    json_t *part;
+    json_array_foreach(json_object_get(result, "classes"), i, part)
+    {
+        if (strcmp(result_text(part, "name"), result_text(one, "class")) != 0)
+            continue;
+        html_both_leaf(page, "dt", NULL, (struct words){"class", "clase"});
+        html_both_leaf(page, "dd", NULL, words_in(part, "title"));
+    }
+    char cause[64];
+    words_of_slug(result_text(one, "cause"), cause, sizeof cause);
+    write_term(page, (struct words){"cause", "causa"}, "span", cause);
+    write_term(page, (struct words){"seed", "semilla"}, "span", result_text(one, "seed"));
+    write_term(page, (struct words){"see it again", "verlo otra vez"}, "code",
+               result_text(one, "reproduce"));
+    html_close(page, "dl");
+}
+
+void page_case(struct html *page, const struct page_context *context, const json_t *result,
+               const json_t *one)
+{
+    char stem[FILE_PATH_BYTES];
+    char path[FILE_PATH_BYTES];
+    struct error err = {""};
+    json_t *scene = NULL;
+    if (json_is_true(json_object_get(one, "scene")) &&
+        file_path(stem, &err, "pictures/%s/%s/%s", result_text(result, "student_folder"),
+                  result_text(result, "exercise"), result_text(one, "name")) == 0 &&
+        file_path(path, &err, "%s/%s.json", context->out, stem) == 0)
+        scene = file_read_json(path, &err);
+
+    html_open(page, "article");
+    html_attribute(page, "class", scene ? "case" : "case without-picture");
+    html_attribute_format(page, "id", "%s.%s", result_text(result, "exercise"),
+                          result_text(one, "name"));
+    if (scene)
+        write_figure(page, context, stem, scene, words_in(one, "message"));
+    html_open(page, "div");
+    html_attribute(page, "class", "what");
+    html_open(page, "h4");
+    html_leaf(page, "code", NULL, result_text(one, "name"));
+    html_text(page, " ");
+    page_verdict(page, result_text(one, "verdict"));
+    html_close(page, "h4");
+    html_both_leaf(page, "p", NULL, words_in(one, "message"));
+    write_facts(page, result, one);
+    html_close(page, "div");
+    html_close(page, "article");
+    json_decref(scene);
+}

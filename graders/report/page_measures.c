@@ -1,0 +1,244 @@
+/* Work and memory of a result: charts, the doubling table, memory beside the reference's. */
+#include "graders/report/page.h"
+
+#include "graders/report/chart.h"
+
+static double number_at(const json_t *family, const char *key, size_t i)
+{
+    return json_number_value(json_array_get(json_object_get(family, key), i));
+}
+
+static void write_number_cell(struct html *page, const char *format, double value)
+{
+    html_open(page, "td");
+    if (value > 0) {
+        if (*format) {
+            html_format(page, "× %.2f", value);
+        } else {
+            char text[32];
+            chart_number(value, text, sizeof text);
+            html_text(page, text);
+        }
+    }
+    html_close(page, "td");
+}
+
+static void write_ratio_cell(struct html *page, double value, double by)
+{
+    write_number_cell(page, "x", value > 0 && by > 0 ? value / by : 0);
+}
+
+/* Work at doubling sizes: how much more each doubling costs, and how much more than the reference.
+ */
+static void write_doubling_table(struct html *page, const json_t *family, struct words element)
+{
+    html_open(page, "table");
+    html_attribute(page, "class", "doubling");
+    html_open(page, "thead");
+    html_open(page, "tr");
+    const struct words heads[] = {element,
+                                  {"your instructions", "tus instrucciones"},
+                                  {"per doubling", "al doblar"},
+                                  {"reference", "referencia"},
+                                  {"per doubling", "al doblar"},
+                                  {"you / reference", "tú / referencia"}};
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
+        html_open(page, "th");
+        html_attribute(page, "scope", "col");
+        html_both(page, heads[i]);
+        html_close(page, "th");
+    }
+    html_close(page, "tr");
+    html_close(page, "thead");
+    html_open(page, "tbody");
+    size_t count = json_array_size(json_object_get(family, "sizes"));
+    for (size_t i = 0; i < count; i++) {
+        double own = number_at(family, "instructions", i);
+        double reference = number_at(family, "reference_instructions", i);
+        html_open(page, "tr");
+        html_open(page, "th");
+        html_attribute(page, "scope", "row");
+        html_format(page, "%.0f", number_at(family, "sizes", i));
+        html_close(page, "th");
+        write_number_cell(page, "", own);
+        write_ratio_cell(page, own, i ? number_at(family, "instructions", i - 1) : 0);
+        write_number_cell(page, "", reference);
+        write_ratio_cell(page, reference,
+                         i ? number_at(family, "reference_instructions", i - 1) : 0);
+        write_ratio_cell(page, own, reference);
+        html_close(page, "tr");
+    }
+    html_close(page, "tbody");
+    html_close(page, "table");
+}
+
+static void write_family_title(struct html *page, const json_t *family, const json_t *growth)
+{
+    const json_t *fit = json_object_get(family, "fit");
+    html_open(page, "p");
+    html_leaf(page, "code", NULL, result_text(family, "name"));
+    if (fit) {
+        html_both(page, (struct words){": grows like ", ": crece como "});
+        html_leaf(page, "b", NULL, result_text(fit, "class"));
+        html_format(page, " (n^%.2f)", result_number(fit, "exponent"));
+    }
+    html_both(page, (struct words){"; allowed: ", "; se permite: "});
+    html_leaf(page, "b", NULL, result_text(growth, "allowed"));
+    html_close(page, "p");
+}
+
+static void write_growth(struct html *page, const json_t *result)
+{
+    const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
+    const json_t *decides = chart_growth_family(result);
+    struct words element = words_in(growth, "element");
+    if (!*element.en)
+        element = (struct words){"size", "tamaño"};
+    json_t *scene = chart_of_growth(result);
+    html_open(page, "div");
+    html_attribute(page, "class", "measure");
+    html_both_leaf(page, "h3", NULL,
+                   (struct words){"Growth of the work", "Crecimiento del trabajo"});
+    write_family_title(page, decides, growth);
+    html_open(page, "div");
+    html_attribute(page, "class", "two");
+    if (scene)
+        chart_draw(page, scene,
+                   (struct words){"Instructions of submission and reference against size",
+                                  "Instrucciones de la entrega y la referencia según el tamaño"});
+    html_open(page, "div");
+    html_attribute(page, "class", "scroll");
+    html_attribute(page, "tabindex", "0");
+    write_doubling_table(page, decides, element);
+    html_close(page, "div");
+    html_close(page, "div");
+    size_t i;
+    json_t *family;
+    json_array_foreach(json_object_get(growth, "families"), i, family)
+    {
+        if (family == decides)
+            continue;
+        html_open(page, "details");
+        html_open(page, "summary");
+        html_leaf(page, "code", NULL, result_text(family, "name"));
+        html_close(page, "summary");
+        write_family_title(page, family, growth);
+        write_doubling_table(page, family, element);
+        html_close(page, "details");
+    }
+    html_close(page, "div");
+    json_decref(scene);
+}
+
+/* ---------------------------------------------------------------- memory and work */
+
+static void write_bar(struct html *page, const char *class_name, struct words label, double bytes,
+                      double most)
+{
+    enum { WIDTH = 300, HEIGHT = 16 };
+    char text[32];
+    chart_number(bytes, text, sizeof text);
+    html_open(page, "tr");
+    html_open(page, "th");
+    html_attribute(page, "scope", "row");
+    html_both(page, label);
+    html_close(page, "th");
+    html_open(page, "td");
+    html_open(page, "svg");
+    html_attribute(page, "class", "bar-line");
+    html_attribute(page, "aria-hidden", "true");
+    html_attribute_format(page, "viewBox", "0 0 %d %d", WIDTH, HEIGHT);
+    html_open(page, "rect");
+    html_attribute(page, "class", class_name);
+    html_attribute_format(page, "width", "%.1f", most > 0 ? 2 + (WIDTH - 2) * bytes / most : 0);
+    html_attribute_format(page, "height", "%d", HEIGHT);
+    html_attribute(page, "rx", "3");
+    html_close(page, "rect");
+    html_close(page, "svg");
+    html_close(page, "td");
+    html_open(page, "td");
+    html_format(page, "%s bytes", text);
+    html_close(page, "td");
+    html_close(page, "tr");
+}
+
+static void write_memory(struct html *page, const json_t *result)
+{
+    const json_t *memory = json_object_get(json_object_get(result, "measures"), "memory");
+    double own = result_number(memory, "peak_bytes");
+    double reference = result_number(memory, "reference_peak_bytes");
+    double limit = reference * result_number(memory, "band");
+    double most = own > limit ? own : limit;
+    html_open(page, "div");
+    html_attribute(page, "class", "measure");
+    html_both_leaf(page, "h3", NULL, (struct words){"Peak memory", "Memoria máxima"});
+    html_open(page, "p");
+    html_format(page, "n = %.0f: ", result_number(memory, "size"));
+    html_format(page, "%.2f ", result_number(memory, "ratio"));
+    html_both(page, (struct words){"times the reference; allowed: ",
+                                   "veces la referencia; se permiten: "});
+    html_format(page, "%.6g", result_number(memory, "band"));
+    if (json_object_get(memory, "allocations")) {
+        html_format(page, "; %.0f ", result_number(memory, "allocations"));
+        html_both(page, (struct words){"allocations", "reservas"});
+    }
+    html_close(page, "p");
+    html_open(page, "div");
+    html_attribute(page, "class", "two");
+    html_open(page, "table");
+    html_attribute(page, "class", "bars");
+    html_open(page, "tbody");
+    write_bar(page, "own", (struct words){"submission", "entrega"}, own, most);
+    write_bar(page, "reference", (struct words){"reference", "referencia"}, reference, most);
+    write_bar(page, "limit", (struct words){"allowed", "permitida"}, limit, most);
+    html_close(page, "tbody");
+    html_close(page, "table");
+    json_t *scene = chart_of_memory(result);
+    if (scene)
+        chart_draw(page, scene,
+                   (struct words){"Peak memory of submission and reference against size",
+                                  "Memoria máxima de la entrega y la referencia según el tamaño"});
+    json_decref(scene);
+    html_close(page, "div");
+    html_close(page, "div");
+}
+
+static void write_work(struct html *page, const json_t *work)
+{
+    html_open(page, "p");
+    html_attribute(page, "class", "work");
+    html_both(page, (struct words){"Work at the largest size: ", "Trabajo en el tamaño mayor: "});
+    html_format(page, "%.2f ", result_number(work, "ratio"));
+    html_both(page, (struct words){"times the reference; allowed: ",
+                                   "veces la referencia; se permiten: "});
+    html_format(page, "%.6g", result_number(work, "band"));
+    if (json_object_get(work, "instruction_ratio"))
+        html_format(page, "; instructions × %.2f", result_number(work, "instruction_ratio"));
+    if (json_object_get(work, "miss_ratio")) {
+        html_both(page, (struct words){", cache misses × ", ", fallos de caché × "});
+        html_format(page, "%.2f", result_number(work, "miss_ratio"));
+    }
+    html_close(page, "p");
+}
+
+void page_measures(struct html *page, const json_t *result)
+{
+
+    const json_t *measures = json_object_get(result, "measures");
+    bool has_growth = chart_growth_family(result) != NULL;
+    const json_t *memory = json_object_get(measures, "memory");
+    const json_t *work = json_object_get(measures, "work");
+    if (!has_growth && !memory && !work)
+        return;
+    html_open(page, "details");
+    html_attribute(page, "class", "measures");
+    html_flag(page, "open");
+    html_both_leaf(page, "summary", NULL, (struct words){"Work and memory", "Trabajo y memoria"});
+    if (has_growth)
+        write_growth(page, result);
+    if (work)
+        write_work(page, work);
+    if (memory)
+        write_memory(page, result);
+    html_close(page, "details");
+}

@@ -1,0 +1,299 @@
+/* What the pages share; see page.h. */
+#include "graders/report/page.h"
+
+#include "graders/report/files.h"
+
+#include <string.h>
+#include <unistd.h>
+
+/* Scripts and styles come from files only: nothing inline runs, whatever a page may hold. */
+static const char content_policy[] =
+    "default-src 'none'; script-src 'self' file:; style-src 'self' file:; img-src 'self' file:; "
+    "base-uri 'none'; form-action 'none'";
+
+static void head_script(struct html *page, const struct page_context *context, const char *name)
+{
+    char path[128];
+    snprintf(path, sizeof path, "%sassets/%s", context->up, name);
+    html_open(page, "script");
+    html_path(page, "src", path);
+    html_flag(page, "defer");
+    html_close(page, "script");
+}
+
+static void head_meta(struct html *page, const char *key, const char *name, const char *content)
+{
+    html_open(page, "meta");
+    html_attribute(page, key, name);
+    html_attribute(page, "content", content);
+    html_close(page, "meta");
+}
+
+static void write_head(struct html *page, const struct page_context *context, const char *title,
+                       bool has_views)
+{
+    char style[128];
+    snprintf(style, sizeof style, "%sassets/page.css", context->up);
+    html_open(page, "head");
+    html_open(page, "meta");
+    html_attribute(page, "charset", "utf-8");
+    html_close(page, "meta");
+    head_meta(page, "http-equiv", "Content-Security-Policy", content_policy);
+    head_meta(page, "name", "viewport", "width=device-width, initial-scale=1");
+    head_meta(page, "name", "referrer", "no-referrer");
+    html_leaf(page, "title", NULL, title);
+    html_open(page, "link");
+    html_attribute(page, "rel", "stylesheet");
+    html_path(page, "href", style);
+    html_close(page, "link");
+    head_script(page, context, "page.js");
+    if (has_views)
+        head_script(page, context, "viewer.js");
+    html_close(page, "head");
+}
+
+/* Two radio buttons; the style sheet shows the language that is chosen, with or without scripts. */
+static void write_language_switch(struct html *page)
+{
+    static const char *const codes[] = {"en", "es"};
+    static const char *const names[] = {"English", "Español"};
+    html_open(page, "div");
+    html_attribute(page, "class", "languages");
+    html_attribute(page, "role", "radiogroup");
+    html_attribute(page, "aria-label", "Language / Idioma");
+    for (int i = 0; i < 2; i++) {
+        html_open(page, "input");
+        html_attribute(page, "type", "radio");
+        html_attribute(page, "name", "language");
+        html_attribute_format(page, "id", "language-%s", codes[i]);
+        html_attribute(page, "value", codes[i]);
+        if (i == 0)
+            html_flag(page, "checked");
+        html_close(page, "input");
+        html_open(page, "label");
+        html_attribute_format(page, "for", "language-%s", codes[i]);
+        html_text(page, names[i]);
+        html_close(page, "label");
+    }
+    html_close(page, "div");
+}
+
+void page_begin(struct html *page, const struct page_context *context, const char *title,
+                struct words course, bool has_views)
+{
+    html_open(page, "html");
+    html_attribute(page, "lang", "en");
+    write_head(page, context, title, has_views);
+    html_open(page, "body");
+    html_open(page, "a");
+    html_attribute(page, "class", "skip");
+    html_path(page, "href", "#main");
+    html_both(page, (struct words){"Skip to the content", "Ir al contenido"});
+    html_close(page, "a");
+    html_open(page, "header");
+    html_attribute(page, "class", "top");
+    html_open(page, "div");
+    html_attribute(page, "class", "course");
+    html_both(page, course);
+    html_close(page, "div");
+    write_language_switch(page);
+    html_close(page, "header");
+    html_open(page, "main");
+    html_attribute(page, "id", "main");
+}
+
+void page_end(struct html *page, const struct gradebook *book)
+{
+    const json_t *engine = json_object_get(json_array_get(book->all, 0), "engine");
+    html_close(page, "main");
+    html_open(page, "footer");
+    html_format(page, "meshgrade %s · %s", result_text(engine, "version"),
+                result_text(engine, "compiler"));
+    html_close(page, "footer");
+    html_close(page, "body");
+    html_close(page, "html");
+}
+
+void page_symbol(struct html *page, enum outcome outcome)
+{
+    html_open(page, "span");
+    html_attribute_format(page, "class", "symbol %s", words_of_outcome(outcome).en);
+    html_open(page, "span");
+    html_attribute(page, "aria-hidden", "true");
+    html_text(page, words_symbol(outcome));
+    html_close(page, "span");
+    html_both_leaf(page, "span", "unseen", words_of_outcome(outcome));
+    html_close(page, "span");
+}
+
+void page_score(struct html *page, const json_t *result)
+{
+    enum outcome outcome = result_outcome(result);
+    char score[32];
+    char max_score[32];
+    words_of_points(result_number(result, "score"), score, sizeof score);
+    words_of_points(result_number(result, "max_score"), max_score, sizeof max_score);
+    html_open(page, "span");
+    html_attribute_format(page, "class", "score %s", words_of_outcome(outcome).en);
+    page_symbol(page, outcome);
+    html_text(page, " ");
+    if (outcome == OUTCOME_UNSCORED) {
+        html_both(page, (struct words){"not scored", "sin nota"});
+    } else {
+        html_leaf(page, "b", NULL, score);
+        html_format(page, " / %s", max_score);
+    }
+    html_close(page, "span");
+}
+
+void page_verdict(struct html *page, const char *verdict)
+{
+    html_open(page, "span");
+    html_attribute_format(page, "class", "verdict %s", words_of_outcome(words_outcome(verdict)).en);
+    html_both(page, words_verdict(verdict));
+    html_close(page, "span");
+}
+
+bool page_has_file(const struct page_context *context, const char *path)
+{
+    char full[FILE_PATH_BYTES];
+    struct error ignored = {""};
+    return file_path(full, &ignored, "%s/%s", context->out, path) == 0 && access(full, R_OK) == 0;
+}
+
+void page_picture(struct html *page, const struct page_context *context, const char *path,
+                  struct words alt)
+{
+    char from_page[FILE_PATH_BYTES];
+    struct error ignored = {""};
+    if (file_path(from_page, &ignored, "%s%s", context->up, path) != 0)
+        return;
+    html_open(page, "a");
+    html_attribute(page, "class", "picture");
+    html_path(page, "href", from_page);
+    html_open(page, "img");
+    html_path(page, "src", from_page);
+    html_both_attribute(page, "alt", alt);
+    html_attribute(page, "loading", "lazy");
+    html_close(page, "img");
+    html_close(page, "a");
+}
+
+void page_pictures_note(struct html *page, const struct page_context *context)
+{
+    struct words reason = words_in(context->pictures_status, "reason");
+    if (*reason.en == '\0')
+        return;
+    html_open(page, "p");
+    html_attribute(page, "class", "note");
+    html_both(page, (struct words){"Pictures were not drawn: ", "No se dibujaron las imágenes: "});
+    html_both(page, reason);
+    html_close(page, "p");
+}
+
+/* ---------------------------------------------------------------- protections */
+
+/* Counts in how many results each text stands: `counts` maps it to a number. */
+static void count(json_t *counts, const char *text)
+{
+    json_object_set_new(counts, text,
+                        json_integer(json_integer_value(json_object_get(counts, text)) + 1));
+}
+
+static void count_of_result(const json_t *result, json_t *active, json_t *inactive, json_t *missing)
+{
+    const json_t *protections = json_object_get(result, "protections");
+    size_t i;
+    json_t *value;
+    char text[600];
+    json_array_foreach(json_object_get(protections, "active"), i, value)
+    {
+        count(active, json_string_value(value));
+    }
+    const char *layer;
+    json_object_foreach(json_object_get(protections, "inactive"), layer, value)
+    {
+        snprintf(text, sizeof text, "%s: %s", layer, json_string_value(value));
+        count(inactive, text);
+    }
+    json_array_foreach(json_object_get(result, "not_measured"), i, value)
+    {
+        snprintf(text, sizeof text, "%s: %s", result_text(value, "name"),
+                 result_text(value, "reason"));
+        count(missing, text);
+    }
+}
+
+static void write_counts(struct html *page, struct words title, json_t *counts, size_t total,
+                         struct words none)
+{
+    html_both_leaf(page, "h3", NULL, title);
+    if (json_object_size(counts) == 0) {
+        html_both_leaf(page, "p", "quiet", none);
+        return;
+    }
+    html_open(page, "ul");
+    html_attribute(page, "class", "facts");
+    const char *text;
+    json_t *number;
+    json_object_foreach(counts, text, number)
+    {
+        html_open(page, "li");
+        html_text(page, text);
+        if ((size_t)json_integer_value(number) < total) {
+            char en[64];
+            char es[64];
+            snprintf(en, sizeof en, " (%lld of %zu results)", json_integer_value(number), total);
+            snprintf(es, sizeof es, " (%lld de %zu resultados)", json_integer_value(number), total);
+            html_both(page, (struct words){en, es});
+        }
+        html_close(page, "li");
+    }
+    html_close(page, "ul");
+}
+
+void page_protections(struct html *page, json_t *const *results, size_t result_count)
+{
+    json_t *active = json_object();
+    json_t *inactive = json_object();
+    json_t *missing = json_object();
+    size_t total = 0;
+    for (size_t i = 0; i < result_count; i++) {
+        if (!results[i])
+            continue;
+        count_of_result(results[i], active, inactive, missing);
+        total++;
+    }
+    html_open(page, "div");
+    html_attribute(page, "class", "columns");
+    html_open(page, "div");
+    write_counts(page, (struct words){"Protections active", "Protecciones activas"}, active, total,
+                 (struct words){"None.", "Ninguna."});
+    html_close(page, "div");
+    html_open(page, "div");
+    write_counts(page, (struct words){"Not active here", "No activas aquí"}, inactive, total,
+                 (struct words){"All were active.", "Todas estaban activas."});
+    html_close(page, "div");
+    html_open(page, "div");
+    write_counts(page, (struct words){"Not measured", "No medido"}, missing, total,
+                 (struct words){"Every probe was there; everything was measured.",
+                                "Todas las sondas estaban; se midió todo."});
+    html_close(page, "div");
+    html_close(page, "div");
+    json_decref(active);
+    json_decref(inactive);
+    json_decref(missing);
+}
+
+struct words page_course(const struct gradebook *book)
+{
+    size_t i;
+    json_t *result;
+    json_array_foreach(book->all, i, result)
+    {
+        struct words course = words_in(result, "course");
+        if (*course.en)
+            return course;
+    }
+    return (struct words){"Triangle meshes", "Mallas de triángulos"};
+}

@@ -1,0 +1,333 @@
+/* Has every scene drawn that lacks an up-to-date picture; see report.h.
+ *
+ * One job, that is one process of meshgrade-render, a student: start-up costs half a second, and a
+ * crash or a hang costs the pictures of one student only. Charts are made into scenes first; the
+ * contact sheet of the class comes last, from one picture for each frequent cause. */
+#include "graders/report/report.h"
+
+#include "graders/report/causes.h"
+#include "graders/report/chart.h"
+#include "graders/report/files.h"
+#include "graders/report/renderer.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum {
+    PICTURE_WIDTH = 1120,
+    PICTURE_HEIGHT = 840,
+    SHEET_CELLS = 24,
+    SHEET_COLUMNS = 3,
+    USELESS_LIMIT = 2
+};
+
+struct drawing {
+    const char *out;
+    const char *renderer;
+    int drawn;
+    size_t undrawn;
+    struct words reason; /* why; set with the first that was not drawn */
+    int useless_in_a_row;
+};
+
+/* Whether `made` is there and not older than `from`. */
+static bool is_up_to_date(const char *made, const char *from)
+{
+    struct stat a;
+    struct stat b;
+    if (stat(made, &a) != 0 || stat(from, &b) != 0 || a.st_size == 0)
+        return false;
+    return a.st_mtim.tv_sec != b.st_mtim.tv_sec ? a.st_mtim.tv_sec > b.st_mtim.tv_sec
+                                                : a.st_mtim.tv_nsec >= b.st_mtim.tv_nsec;
+}
+
+/* ---------------------------------------------------------------- scenes of charts */
+
+static int write_chart(const char *out, const json_t *result, const char *name, json_t *scene,
+                       struct error *err)
+{
+    char path[FILE_PATH_BYTES];
+    if (!scene)
+        return 0;
+    int status = file_path(path, err, "%s/pictures/%s/%s", out,
+                           result_text(result, "student_folder"), result_text(result, "exercise"));
+    if (status == 0)
+        status = file_make_folders(path, err);
+    if (status == 0)
+        status =
+            file_path(path, err, "%s/pictures/%s/%s/%s.json", out,
+                      result_text(result, "student_folder"), result_text(result, "exercise"), name);
+    if (status == 0)
+        status = file_write_json(path, scene, err);
+    json_decref(scene);
+    return status;
+}
+
+static int write_charts(const char *out, const struct gradebook *book, struct error *err)
+{
+    size_t i;
+    json_t *result;
+    json_array_foreach(book->all, i, result)
+    {
+        if (write_chart(out, result, "growth", chart_of_growth(result), err) != 0 ||
+            write_chart(out, result, "memory", chart_of_memory(result), err) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+/* ---------------------------------------------------------------- jobs */
+
+/* A job as JSON: pictures to draw, and the cells of the contact sheet. */
+struct job {
+    json_t *pictures;
+    json_t *cells;
+    size_t stale; /* pictures to draw */
+};
+
+static int job_start(struct job *job, struct error *err)
+{
+    *job = (struct job){.pictures = json_array(), .cells = json_array()};
+    return job->pictures && job->cells ? 0 : error_set(err, "out of memory for a job");
+}
+
+static void job_release(struct job *job)
+{
+    json_decref(job->pictures);
+    json_decref(job->cells);
+}
+
+static int job_add_cell(struct job *job, const char *picture, const char *caption,
+                        struct error *err)
+{
+    if (json_array_size(job->cells) >= SHEET_CELLS)
+        return 0;
+    if (json_array_append_new(job->cells,
+                              json_pack("{s:s, s:s}", "picture", picture, "caption", caption)) != 0)
+        return error_set(err, "out of memory for a contact sheet");
+    return 0;
+}
+
+/* Adds one scene, "<student>/<exercise>/<case>" below OUT/pictures. */
+static int job_add_scene(struct job *job, const char *out, const char *stem, const char *caption,
+                         struct error *err)
+{
+    char scene[FILE_PATH_BYTES];
+    char picture[FILE_PATH_BYTES];
+    if (file_path(scene, err, "%s/pictures/%s.json", out, stem) != 0 ||
+        file_path(picture, err, "%s/pictures/%s.png", out, stem) != 0)
+        return -1;
+    bool stale = !is_up_to_date(picture, scene);
+    if (file_path(scene, err, "%s.json", stem) != 0 || file_path(picture, err, "%s.png", stem) != 0)
+        return -1;
+    if (stale) {
+        job->stale++;
+        if (json_array_append_new(job->pictures,
+                                  json_pack("{s:s, s:s, s:i, s:i}", "scene", scene, "out", picture,
+                                            "width", PICTURE_WIDTH, "height", PICTURE_HEIGHT)) != 0)
+            return error_set(err, "out of memory for a job");
+    }
+    return job_add_cell(job, picture, caption, err);
+}
+
+static int job_add_folder(struct job *job, const char *out, const char *student,
+                          const char *exercise, struct error *err)
+{
+    char path[FILE_PATH_BYTES];
+    if (file_path(path, err, "%s/pictures/%s/%s", out, student, exercise) != 0)
+        return -1;
+    char **scenes = file_list(path, ".json", err);
+    int status = scenes ? 0 : -1;
+    for (size_t i = 0; status == 0 && scenes[i]; i++) {
+        char caption[300];
+        size_t length = strlen(scenes[i]) - strlen(".json");
+        snprintf(caption, sizeof caption, "%s: %.*s", exercise, (int)length, scenes[i]);
+        status = file_path(path, err, "%s/%s/%.*s", student, exercise, (int)length, scenes[i]);
+        if (status == 0)
+            status = job_add_scene(job, out, path, caption, err);
+    }
+    free(scenes);
+    return status;
+}
+
+/* How many pictures of a job are there and fresh now. */
+static size_t count_fresh(const struct job *job, const char *out)
+{
+    size_t fresh = 0;
+    size_t i;
+    json_t *picture;
+    json_array_foreach(job->pictures, i, picture)
+    {
+        char scene[FILE_PATH_BYTES];
+        char made[FILE_PATH_BYTES];
+        struct error ignored = {""};
+        if (file_path(scene, &ignored, "%s/pictures/%s", out, result_text(picture, "scene")) == 0 &&
+            file_path(made, &ignored, "%s/pictures/%s", out, result_text(picture, "out")) == 0 &&
+            is_up_to_date(made, scene))
+            fresh++;
+    }
+    return fresh;
+}
+
+static void note_undrawn(struct drawing *drawing, size_t count, struct words reason)
+{
+    if (count > 0 && !drawing->reason.en)
+        drawing->reason = reason;
+    drawing->undrawn += count;
+}
+
+/* Draws a job and its sheet (a path below OUT/pictures), when there is anything to draw. */
+static int draw(struct drawing *drawing, struct job *job, const char *sheet, const char *title,
+                struct error *err)
+{
+    char sheet_path[FILE_PATH_BYTES];
+    char path[FILE_PATH_BYTES];
+    if (file_path(sheet_path, err, "%s/pictures/%s", drawing->out, sheet) != 0 ||
+        file_path(path, err, "%s/pictures/job.json", drawing->out) != 0)
+        return -1;
+    bool sheet_is_there = access(sheet_path, R_OK) == 0;
+    if (json_array_size(job->cells) == 0 || (job->stale == 0 && sheet_is_there))
+        return 0;
+    if (!drawing->renderer) {
+        note_undrawn(drawing, job->stale, drawing->reason);
+        return 0;
+    }
+    json_t *json = json_pack("{s:O, s:[{s:s, s:s, s:s, s:i, s:O}]}", "pictures", job->pictures,
+                             "sheets", "title", title, "subtitle", "", "out", sheet, "columns",
+                             SHEET_COLUMNS, "cells", job->cells);
+    int status =
+        json ? file_write_json(path, json, err) : error_set(err, "out of memory for a job");
+    json_decref(json);
+    if (status != 0)
+        return -1;
+    struct words reason = {NULL, NULL};
+    enum renderer_end end = renderer_run(drawing->renderer, path, job->stale, &reason);
+    unlink(path);
+    size_t fresh = count_fresh(job, drawing->out);
+    drawing->drawn += (int)fresh + (access(sheet_path, R_OK) == 0 ? 1 : 0);
+    note_undrawn(drawing, job->stale - fresh, reason.en ? reason : renderer_default_reason());
+    drawing->useless_in_a_row = end == RENDERER_USELESS ? drawing->useless_in_a_row + 1 : 0;
+    if (drawing->useless_in_a_row == USELESS_LIMIT)
+        drawing->renderer = NULL; /* nor would it draw the others */
+    return 0;
+}
+
+static int draw_student(struct drawing *drawing, const struct gradebook *book,
+                        const struct student *student, struct error *err)
+{
+    struct job job;
+    char sheet[200];
+    snprintf(sheet, sizeof sheet, "%s/sheet.png", student->folder);
+    int status = job_start(&job, err);
+    for (size_t e = 0; status == 0 && e < book->exercise_count; e++)
+        if (student->results[e])
+            status =
+                job_add_folder(&job, drawing->out, student->folder, book->exercises[e].name, err);
+    if (status == 0)
+        status = draw(drawing, &job, sheet, student->folder, err);
+    job_release(&job);
+    return status;
+}
+
+/* The sheet of the class: for every exercise its most frequent causes, one picture each. */
+static int add_causes(struct job *job, const char *out, const struct gradebook *book,
+                      size_t exercise, struct error *err)
+{
+    struct causes causes;
+    if (causes_of(book, exercise, &causes, err) != 0)
+        return -1;
+    int status = 0;
+    for (size_t i = 0; status == 0 && i < causes.count; i++) {
+        const struct cause *cause = &causes.list[i];
+        char stem[FILE_PATH_BYTES];
+        char picture[FILE_PATH_BYTES];
+        char slug[64];
+        char caption[300];
+        if (!cause->case_name)
+            continue;
+        words_of_slug(cause->slug, slug, sizeof slug);
+        snprintf(caption, sizeof caption, "%s: %s (%zu of %zu)", book->exercises[exercise].name,
+                 slug, cause->student_count, causes.answer_count);
+        status =
+            file_path(stem, err, "%s/%s/%s", result_text(cause->scene_result, "student_folder"),
+                      book->exercises[exercise].name, cause->case_name);
+        if (status == 0)
+            status = file_path(picture, err, "%s/pictures/%s.png", out, stem);
+        if (status == 0 && access(picture, R_OK) == 0)
+            status = job_add_scene(job, out, stem, caption, err);
+    }
+    causes_release(&causes);
+    return status;
+}
+
+static int draw_class(struct drawing *drawing, const struct gradebook *book, struct error *err)
+{
+    struct job job;
+    char sheet[FILE_PATH_BYTES];
+    int status = job_start(&job, err);
+    for (size_t e = 0; status == 0 && e < book->exercise_count; e++)
+        status = add_causes(&job, drawing->out, book, e, err);
+    /* Captions change with every result, so it is made anew whenever anything was drawn. */
+    if (status == 0 && drawing->drawn > 0 &&
+        file_path(sheet, err, "%s/pictures/class.png", drawing->out) == 0)
+        unlink(sheet);
+    if (status == 0)
+        status = draw(drawing, &job, "class.png", "The most frequent causes", err);
+    job_release(&job);
+    return status;
+}
+
+/* ---------------------------------------------------------------- the whole */
+
+static int write_status(const struct drawing *drawing, struct error *err)
+{
+    char path[FILE_PATH_BYTES];
+    bool told = drawing->undrawn > 0;
+    json_t *status =
+        json_pack("{s:I, s:{s:s, s:s}}", "undrawn", (json_int_t)drawing->undrawn, "reason", "en",
+                  told ? drawing->reason.en : "", "es", told ? drawing->reason.es : "");
+    int result = status ? 0 : error_set(err, "out of memory for the status of pictures");
+    if (result == 0)
+        result = file_path(path, err, "%s/pictures/status.json", drawing->out);
+    if (result == 0)
+        result = file_write_json(path, status, err);
+    json_decref(status);
+    return result;
+}
+
+int report_pictures(const char *out, const char *renderer_path, struct error *err)
+{
+    struct gradebook book;
+    char pictures[FILE_PATH_BYTES];
+    if (file_path(pictures, err, "%s/pictures", out) != 0 || gradebook_load(out, &book, err) != 0)
+        return -1;
+    struct drawing drawing = {.out = out, .renderer = renderer_path};
+    if (!renderer_path || access(renderer_path, X_OK) != 0) {
+        drawing.renderer = NULL;
+        drawing.reason = renderer_absent_reason();
+    }
+    int status = file_make_folders(pictures, err);
+    if (status == 0)
+        status = write_charts(out, &book, err);
+    for (size_t s = 0; status == 0 && s < book.student_count; s++)
+        status = draw_student(&drawing, &book, &book.students[s], err);
+    if (status == 0)
+        status = draw_class(&drawing, &book, err);
+    if (status == 0)
+        status = write_status(&drawing, err);
+    gradebook_release(&book);
+    return status == 0 ? drawing.drawn : -1;
+}
+
+void report_pictures_reason(const char *out, char *text, size_t capacity)
+{
+    char path[FILE_PATH_BYTES];
+    struct error ignored = {""};
+    json_t *status = NULL;
+    if (file_path(path, &ignored, "%s/pictures/status.json", out) == 0)
+        status = file_read_json(path, &ignored);
+    snprintf(text, capacity, "%s", words_in(status, "reason").en);
+    json_decref(status);
+}

@@ -1,0 +1,56 @@
+/* A class's results as a table: students by exercises, read from OUT/results and checked. */
+#ifndef GRADERS_REPORT_RESULTS_H
+#define GRADERS_REPORT_RESULTS_H
+
+#include "graders/report/words.h"
+#include "reference/mesh/error.h"
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+struct exercise {
+    const char *name;    /* borrowed from the first result of the exercise, like the others */
+    const char *problem; /* number in the course */
+    struct words title;
+    double max_score;
+};
+
+struct student {
+    const json_t *name; /* the untrusted string */
+    const char *folder;
+    json_t **results; /* one an exercise; NULL: nothing submitted */
+    double score;     /* sum of the scores */
+    int unscored;     /* results that are fault or flagged: the sum is not the last word */
+};
+
+struct gradebook {
+    size_t exercise_count, student_count;
+    struct exercise *exercises; /* by number in the course, then name */
+    struct student *students;   /* by name, then folder */
+    double max_score;           /* sum over the exercises */
+    json_t *all;                /* owns the results: an array in no order */
+};
+
+/* Reads OUT/results. Every file is checked (result_check, and that it stands where it says): the
+ * first that fails is an error that names the file and the remedy. A class without results is an
+ * error. */
+int gradebook_load(const char *out, struct gradebook *book, struct error *err) MUST_CHECK;
+
+/* The same from results in memory, for tests and `check`; takes a reference of its own. */
+int gradebook_from(json_t *results, struct gradebook *book, struct error *err) MUST_CHECK;
+
+/* A zeroed gradebook may be released too. */
+void gradebook_release(struct gradebook *book);
+
+/* The outcome of a result for its colour: passed, partial (some points, not all), failed, unscored;
+ * absent for NULL. */
+enum outcome result_outcome(const json_t *result);
+
+/* A string of an object, borrowed; "" when it is not there. Not for untrusted text with NUL. */
+const char *result_text(const json_t *object, const char *key);
+
+/* A number of an object; 0 when it is not there. */
+double result_number(const json_t *object, const char *key);
+
+#endif
