@@ -43,44 +43,51 @@ enum box_layer {
 /* "user-namespace", "landlock", ...: the names in results and in `doctor`. */
 const char *box_layer_name(enum box_layer layer);
 
-enum box_profile {
-    BOX_RUN, /* a static program that computes: some 50 system calls allowed, no files, no processes
-              */
-    BOX_TOOLS, /* valgrind or a sanitized program: read-only /usr and /lib, private /proc and /tmp
-                */
-    BOX_BUILD  /* gcc, ld: as TOOLS, processes allowed, no /proc */
-};
+/* BOX_RUN: a static program that computes; some 50 system calls, no files, no processes.
+ * BOX_TOOLS: valgrind or a sanitized program; read-only /usr /lib /lib64 /bin, private /proc and
+ * /tmp, no processes. BOX_BUILD: gcc, ld, objcopy; as TOOLS, but with processes and without /proc.
+ */
+enum box_profile { BOX_RUN, BOX_TOOLS, BOX_BUILD };
 
 enum { BOX_PATH_LIMIT = 16, BOX_PASSED_LIMIT = 8 };
 
-/* What to run, and within which limits. Zero it, then fill it. */
+/* What to run, and within which limits. Zero it, then fill it.
+ *
+ * Inside, `writable` is always the folder /work, so that no output depends on the host's paths, and
+ * it is the working folder unless another is named. On a machine without mount namespaces there is
+ * no /work: the program then starts in the host's folder itself. So name files relative to it
+ * ("a.c", "./program"), and the command works on either. */
 struct box_plan {
     enum box_profile profile;
     char *const *argv;                    /* argv[0]: path inside the box, unless program_fd */
-    char *const *envp;                    /* NULL: PATH and LC_ALL=C only */
-    int program_fd;                       /* >= 0: run this descriptor (execveat), -1: argv[0] */
-    const char *readable[BOX_PATH_LIMIT]; /* absolute paths visible read-only, NULL-terminated */
-    const char *writable;         /* absolute path of a folder visible read-write, or NULL */
-    const char *working_folder;   /* inside the box; NULL: / */
-    int passed[BOX_PASSED_LIMIT]; /* descriptors that the program gets as 3, 4, 5, ... */
+    char *const *envp;                    /* NULL: PATH=/usr/bin:/bin, LC_ALL=C, TMPDIR */
+    int program_fd;                       /* >= 0: run this descriptor, -1: argv[0]; RUN needs one.
+                                             The file must be executable by anyone */
+    const char *readable[BOX_PATH_LIMIT]; /* further absolute paths visible read-only in their own
+                                             places, NULL-terminated; none in RUN */
+    const char *writable;                 /* host's folder that becomes /work, or NULL; none in RUN.
+                                             Prepare it with box_give_folder */
+    const char *working_folder;           /* relative to /work, or absolute; NULL: /work, or / */
+    int passed[BOX_PASSED_LIMIT];         /* descriptors that the program gets as 3, 4, 5, ... */
     int passed_count;
     int input_fd, output_fd, error_fd; /* stdio; -1: /dev/null */
     uint64_t memory_bytes;             /* all memory; RUN and BUILD also as address space */
     uint64_t file_bytes;               /* largest file written (stdout included, if a file) */
     uint64_t scratch_bytes;            /* size of the private /tmp */
     uint64_t stack_bytes;
-    unsigned cpu_seconds;     /* hard limit, whole seconds, rounded up */
+    unsigned cpu_seconds;     /* of each process; SIGXCPU, and a second later SIGKILL */
     unsigned wall_ms;         /* used by box_run only */
-    unsigned process_count;   /* TOOLS, BUILD; RUN never starts any */
+    unsigned process_count;   /* BUILD: processes at once; the others never start any */
     int cpu;                  /* pin to this cpu, -1: not */
     uint32_t disabled_layers; /* bit 1 << layer: leave it out (tests, doctor) */
 };
 
-/* A running box; fields are read-only for users. */
+/* A running box; fields are read-only for users. To wait for a box and for something else at once,
+ * poll `socket` and `notify` (-1: none) for POLLIN, then call box_step. */
 struct box {
     pid_t init;
     pid_t program; /* as the engine sees it */
-    int pidfd, socket, notify;
+    int pidfd, program_pidfd, socket, notify;
     uint32_t active;                  /* bit 1 << layer */
     char reason[BOX_LAYER_COUNT][80]; /* why a layer is not active */
     int landlock_abi, cgroup_version;
@@ -90,18 +97,29 @@ struct box {
     /* gathered while running */
     int status; /* wait status, valid when has_status */
     bool has_status;
-    struct rusage usage;
+    bool killed; /* by box_kill */
+    bool
+        over_memory; /* seen beyond memory_bytes where neither cgroup nor address space bounds it */
+    struct rusage usage; /* valid when has_status */
+    int64_t cpu_at_kill_ns, watched_ns;
     char refused_call[40];    /* name of the first refused system call, empty if none */
-    char refused_detail[160]; /* "openat /etc/passwd": what it asked for; untrusted text */
+    char refused_detail[160]; /* "openat /etc/passwd": what it asked for; untrusted, printable ASCII
+                               */
     int refused_count;
+    /* from the plan */
+    enum box_profile profile;
+    unsigned cpu_seconds;
+    uint64_t memory_bytes;
 };
 
 /* How a run ended. The first that holds, in this order. */
 enum box_end {
     BOX_ENDED_FORBIDDEN, /* a system call was refused: refused_call names it ("" when unnamed) */
-    BOX_ENDED_MEMORY,    /* the cgroup's memory limit struck */
+    BOX_ENDED_MEMORY,    /* the cgroup's memory limit struck, or TOOLS was seen beyond memory_bytes.
+                            Without memory cgroup a RUN or BUILD gets NULL from malloc instead */
     BOX_ENDED_OUTPUT,    /* SIGXFSZ: file_bytes reached */
-    BOX_ENDED_CPU,       /* cpu_seconds reached (SIGXCPU, or SIGKILL with that much CPU charged) */
+    BOX_ENDED_CPU,       /* cpu_seconds reached (SIGXCPU, or SIGKILL with that much CPU charged; a
+                            BUILD also when it failed after that much CPU) */
     BOX_ENDED_KILLED,    /* by box_kill: the caller knows why (wall time) */
     BOX_ENDED_SIGNAL,    /* died of `signal` */
     BOX_ENDED_EXIT,      /* exited with `exit_code` */
@@ -121,13 +139,25 @@ struct box_outcome {
     bool cleaned; /* every process gone, cgroups removed */
 };
 
-/* Starts a program. Returns 0; -1 and *err when the box could not be made (a fault; also when
- * seccomp is not active and the caller did not disable it by name), and then nothing is left. */
+/* Makes the host's folder `path` usable as plan->writable: gives it to the user id that programs in
+ * the box have. Only root changes anything (the owner of this one folder); for others that id is
+ * their own. Keep the folder inside one of mode 0700, so that no other user reaches it. What the
+ * program leaves there is hostile: open it with O_NOFOLLOW and check that it is a regular file.
+ * Returns 0, or -1 and *err. */
+int box_give_folder(const char *path, struct error *err) MUST_CHECK;
+
+/* Starts a program. Returns 0 when the program runs; -1 and *err when the box could not be made or
+ * the program not be executed (a fault), and then nothing is left. It is also a fault when
+ *   - seccomp is not active and the caller did not disable it by name,
+ *   - TOOLS or BUILD would see the host's files: neither private root nor Landlock is active, and
+ * the caller did not disable both by name,
+ *   - the program would run as root of the host.
+ * Costs about 2 ms. The box ends when the calling thread ends. Do not reap boxes with wait(). */
 int box_start(const struct box_plan *plan, struct box *box, struct error *err) MUST_CHECK;
 
-/* Waits at most `timeout_ms` for something to happen and deals with it (a refused call kills the
- * program, except that files below /usr/lib/locale and the like are answered ENOENT).
- * Returns true once the program has ended. */
+/* Waits at most `timeout_ms` for something to happen and deals with it. A refused call ends the
+ * program, except that in RUN what libc itself looks for (locales, charset tables, time zones) is
+ * answered ENOENT. Returns true once the program has ended; box_finish must follow. */
 bool box_step(struct box *box, int timeout_ms);
 
 /* Kills everything inside, at once. box_finish must follow. */
@@ -141,10 +171,21 @@ void box_finish(struct box *box, struct box_outcome *outcome);
  * outcome->end is BOX_ENDED_KILLED. Returns 0, or -1 and *err as box_start. */
 int box_run(const struct box_plan *plan, struct box_outcome *outcome, struct error *err) MUST_CHECK;
 
-/* Tries each layer for real on this machine, by running a small probe of its own inside a box that
- * attempts what the layer forbids. For `doctor`.
+/* CPU time that the program has used so far, all threads, read from outside in 0.2 us. Exact while
+ * the program sleeps or shares the caller's cpu, else up to a timer tick old. -1 when it is gone.
+ */
+int64_t box_cpu_ns(const struct box *box);
+
+/* The program's resident memory, to a page and some 64 KiB: box_reset_peak forgets the peak so far,
+ * box_peak_resident_bytes reads it since then. Both -1 where /proc does not allow it. */
+int box_reset_peak(const struct box *box);
+int64_t box_peak_resident_bytes(const struct box *box);
+
+/* Tries each layer for real on this machine: a probe of our own, inside a box with that layer and
+ * what it stands on, attempts what the layer forbids. For `doctor`; takes some 100 ms.
  *
- * out      BOX_LAYER_COUNT entries: works or not, one line of reason, one line of remedy */
+ * out      BOX_LAYER_COUNT entries: works or not, one line of reason, one line of remedy (both
+ * empty when it works) */
 struct box_probe {
     bool works;
     char reason[120];

@@ -1,0 +1,256 @@
+/* The seccomp filter. The engine builds it with libseccomp before it clones; the program's process
+ * fills in its own id and loads it as the last thing before exec.
+ *
+ * RUN: a list of allowed calls, everything else is refused. TOOLS and BUILD: allowed calls,
+ * forbidden calls, and ENOSYS for the unknown. A refused call is told to the engine, which ends the
+ * program; where the kernel or a container cannot do that, the call itself kills the program
+ * (SIGSYS). */
+#include "graders/box/inside.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/seccomp.h>
+#include <sched.h>
+#include <seccomp.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+/* Stands in the built filter for the program's process id. */
+enum { OWN_ID_MARK = 0x6d657368 };
+
+static const uint64_t namespace_flags[] = {CLONE_NEWNS,  CLONE_NEWCGROUP, CLONE_NEWUTS,
+                                           CLONE_NEWIPC, CLONE_NEWUSER,   CLONE_NEWPID,
+                                           CLONE_NEWNET};
+
+/* The rules under construction; the first error stays. */
+struct rules {
+    scmp_filter_ctx context;
+    uint32_t refuse;
+    int error;
+};
+
+static void add(struct rules *rules, uint32_t action, int call, unsigned count,
+                const struct scmp_arg_cmp *conditions)
+{
+    int rc = seccomp_rule_add_array(rules->context, action, call, count, conditions);
+    if (rc && !rules->error)
+        rules->error = rc;
+}
+
+static void add_all(struct rules *rules, uint32_t action, const char *const *names)
+{
+    for (; *names; names++) {
+        int call = seccomp_syscall_resolve_name(*names);
+        if (call != __NR_SCMP_ERROR)
+            add(rules, action, call, 0, NULL);
+    }
+}
+
+static struct scmp_arg_cmp argument(unsigned index, enum scmp_compare how, uint64_t value)
+{
+    return (struct scmp_arg_cmp){.arg = index, .op = how, .datum_a = value};
+}
+
+static struct scmp_arg_cmp masked(unsigned index, uint64_t mask, uint64_t value)
+{
+    return (struct scmp_arg_cmp){
+        .arg = index, .op = SCMP_CMP_MASKED_EQ, .datum_a = mask, .datum_b = value};
+}
+
+static void add_if(struct rules *rules, uint32_t action, int call, struct scmp_arg_cmp condition)
+{
+    add(rules, action, call, 1, &condition);
+}
+
+static void add_if2(struct rules *rules, uint32_t action, int call, struct scmp_arg_cmp first,
+                    struct scmp_arg_cmp second)
+{
+    struct scmp_arg_cmp both[] = {first, second};
+    add(rules, action, call, 2, both);
+}
+
+/* abort() sends itself SIGABRT. Nothing else is a program's own business. */
+static void allow_abort(struct rules *rules)
+{
+    add_if2(rules, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), argument(0, SCMP_CMP_EQ, OWN_ID_MARK),
+            argument(2, SCMP_CMP_EQ, SIGABRT));
+}
+
+static void add_run(struct rules *rules, const struct box_plan *plan)
+{
+    const uint32_t allow = SCMP_ACT_ALLOW;
+    add_all(rules, allow, calls_run);
+    allow_abort(rules);
+    /* fstat of glibc 2.33 and later; never of a path that matters, since none is visible */
+    add_if(rules, allow, SCMP_SYS(newfstatat), argument(3, SCMP_CMP_EQ, AT_EMPTY_PATH));
+    add_if2(rules, allow, SCMP_SYS(prlimit64), argument(0, SCMP_CMP_EQ, 0),
+            argument(2, SCMP_CMP_EQ, 0));
+    add_if(rules, allow, SCMP_SYS(fcntl), argument(1, SCMP_CMP_EQ, F_GETFL));
+    add_if(rules, allow, SCMP_SYS(fcntl), argument(1, SCMP_CMP_EQ, F_GETFD));
+    /* static start-up looks for /proc/self/exe; stdio asks whether /dev/null is a terminal; newer
+     * libcs name their memory */
+    add(rules, SCMP_ACT_ERRNO(ENOENT), SCMP_SYS(readlink), 0, NULL);
+    add(rules, SCMP_ACT_ERRNO(ENOENT), SCMP_SYS(readlinkat), 0, NULL);
+    add_if(rules, SCMP_ACT_ERRNO(ENOTTY), SCMP_SYS(ioctl), argument(1, SCMP_CMP_EQ, TCGETS));
+    add_if(rules, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(prctl), argument(0, SCMP_CMP_EQ, PR_SET_VMA));
+    /* the box's own last two steps, on descriptors that exec closes */
+    add_if(rules, allow, SCMP_SYS(sendmsg), argument(0, SCMP_CMP_EQ, SLOT_NOTES));
+    if (plan->program_fd >= 0)
+        add_if2(rules, allow, SCMP_SYS(execveat), argument(0, SCMP_CMP_EQ, SLOT_PROGRAM),
+                argument(4, SCMP_CMP_EQ, AT_EMPTY_PATH));
+}
+
+/* Signals: only to itself. A compiler may be of several processes, of which the filter knows one.
+ */
+static void add_signals(struct rules *rules, bool several)
+{
+    static const int calls[] = {SCMP_SYS(kill), SCMP_SYS(tkill), SCMP_SYS(tgkill)};
+    if (several) {
+        add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), argument(2, SCMP_CMP_EQ, SIGABRT));
+        add(rules, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(kill), 0, NULL);
+        add(rules, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(tkill), 0, NULL);
+        return;
+    }
+    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
+        add_if(rules, SCMP_ACT_ALLOW, calls[i], argument(0, SCMP_CMP_EQ, OWN_ID_MARK));
+        add_if(rules, rules->refuse, calls[i], argument(0, SCMP_CMP_NE, OWN_ID_MARK));
+    }
+}
+
+static void add_processes(struct rules *rules)
+{
+    uint64_t every = 0;
+    add_all(rules, SCMP_ACT_ALLOW, calls_processes);
+    for (size_t i = 0; i < sizeof namespace_flags / sizeof namespace_flags[0]; i++) {
+        every |= namespace_flags[i];
+        add_if(rules, rules->refuse, SCMP_SYS(clone),
+               masked(0, namespace_flags[i], namespace_flags[i]));
+    }
+    add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(clone), masked(0, every, 0));
+    /* clone3, whose flags a filter cannot see, is answered ENOSYS as an unknown call. */
+}
+
+static void refuse_processes(struct rules *rules)
+{
+    static const char *const calls[] = {"fork", "vfork", "clone", "clone3", NULL};
+    add_all(rules, rules->refuse, calls);
+}
+
+static void add_tools(struct rules *rules, enum box_profile profile)
+{
+    static const uint64_t requests[] = {TCGETS, TIOCGWINSZ, FIONREAD, FIOCLEX};
+    add_all(rules, SCMP_ACT_ALLOW, calls_tools);
+    add_all(rules, rules->refuse, calls_forbidden);
+    add_all(rules, SCMP_ACT_ERRNO(EPERM), calls_quiet);
+    add_signals(rules, profile == BOX_BUILD);
+    if (profile == BOX_BUILD)
+        add_processes(rules);
+    else
+        refuse_processes(rules);
+    add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), argument(0, SCMP_CMP_EQ, 0));
+    for (size_t i = 0; i < sizeof requests / sizeof requests[0]; i++)
+        add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(ioctl), argument(1, SCMP_CMP_EQ, requests[i]));
+    add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(sendmsg), argument(0, SCMP_CMP_EQ, SLOT_NOTES));
+}
+
+/* The finished filter as the kernel takes it. */
+static int export_filter(struct inside *inside, scmp_filter_ctx context)
+{
+    struct stat about;
+    int fd = memfd_create("filter", MFD_CLOEXEC), failed = -1;
+    if (fd >= 0 && seccomp_export_bpf(context, fd) == 0 && fstat(fd, &about) == 0) {
+        size_t bytes = (size_t)about.st_size;
+        inside->filter = malloc(bytes);
+        inside->filter_count = bytes / sizeof inside->filter[0];
+        if (inside->filter && pread(fd, inside->filter, bytes, 0) == (ssize_t)bytes)
+            failed = 0;
+    }
+    if (fd >= 0)
+        close(fd);
+    return failed;
+}
+
+int filter_build(struct inside *inside, struct error *err)
+{
+    const struct box_plan *plan = inside->plan;
+    if (!layer_wanted(plan, BOX_SECCOMP))
+        return 0;
+    struct rules rules = {.refuse = SCMP_ACT_NOTIFY};
+    bool run = plan->profile == BOX_RUN;
+    if (layer_wanted(plan, BOX_SECCOMP_NAMES))
+        rules.context = seccomp_init(run ? rules.refuse : SCMP_ACT_ERRNO(ENOSYS));
+    if (!rules.context) {
+        rules.refuse = SCMP_ACT_KILL_PROCESS;
+        rules.context = seccomp_init(run ? rules.refuse : SCMP_ACT_ERRNO(ENOSYS));
+    }
+    if (!rules.context)
+        return error_set(err, "box: libseccomp cannot make a filter");
+    /* Calls of another architecture (int 0x80, x32): their numbers mean something else. */
+    rules.error = seccomp_attr_set(rules.context, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
+    seccomp_attr_set(rules.context, SCMP_FLTATR_CTL_OPTIMIZE, 2); /* search by halving */
+    if (run)
+        add_run(&rules, plan);
+    else
+        add_tools(&rules, plan->profile);
+    int failed = rules.error || export_filter(inside, rules.context) ? -1 : 0;
+    seccomp_release(rules.context);
+    return failed ? error_set(err, "box: cannot make the seccomp filter (libseccomp error %d)",
+                              rules.error)
+                  : 0;
+}
+
+static void set_own_id(struct inside *inside)
+{
+    for (size_t i = 0; i < inside->filter_count; i++) {
+        struct sock_filter *at = &inside->filter[i];
+        if (at->code == (BPF_JMP | BPF_JEQ | BPF_K) && at->k == OWN_ID_MARK)
+            at->k = (uint32_t)getpid();
+    }
+}
+
+/* Without a listener a refused call must kill by itself. */
+static void replace_notification(struct inside *inside)
+{
+    for (size_t i = 0; i < inside->filter_count; i++) {
+        struct sock_filter *at = &inside->filter[i];
+        if (at->code == (BPF_RET | BPF_K) && at->k == SECCOMP_RET_USER_NOTIF)
+            at->k = SECCOMP_RET_KILL_PROCESS;
+    }
+}
+
+static long load(const struct inside *inside, unsigned flags)
+{
+    struct sock_fprog program = {(unsigned short)inside->filter_count, inside->filter};
+    return syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, flags, &program);
+}
+
+int filter_load(struct inside *inside)
+{
+    struct report *report = &inside->report;
+    if (!inside->filter)
+        return -1;
+    set_own_id(inside);
+    long listener = -1;
+    /* SPEC_ALLOW: older kernels slow down programs under a filter. */
+    if (layer_wanted(inside->plan, BOX_SECCOMP_NAMES)) {
+        listener = load(inside, SECCOMP_FILTER_FLAG_SPEC_ALLOW | SECCOMP_FILTER_FLAG_NEW_LISTENER);
+        if (listener >= 0) {
+            layer_works(report, BOX_SECCOMP_NAMES);
+            layer_works(report, BOX_SECCOMP);
+            return (int)listener;
+        }
+        layer_fails(report, BOX_SECCOMP_NAMES, "seccomp listener", errno);
+    }
+    replace_notification(inside);
+    if (load(inside, SECCOMP_FILTER_FLAG_SPEC_ALLOW))
+        layer_fails(report, BOX_SECCOMP, "seccomp", errno);
+    else
+        layer_works(report, BOX_SECCOMP);
+    return -1;
+}
