@@ -1,0 +1,281 @@
+/* Meshes as inputs of cases; see mesh_case.h. */
+#include "graders/judges/mesh_case.h"
+
+#include "reference/mesh/generate.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { UNUSED_VERTICES = 66000 };
+
+/* ------------------------------------------------------------------ shapes that are only cases */
+
+/* Tetrahedra (0, 1, p, q) around the edge {0,1}: every edge has an even number of triangles, and
+ * {0,1} has two of each tetrahedron. */
+static int make_round_an_edge(struct mesh *mesh, int64_t count, struct error *err)
+{
+    if (mesh_init(mesh, 2 + 2 * count, 4 * count, err))
+        return -1;
+    mesh->positions[2] = -0.5F;
+    mesh->positions[5] = 0.5F;
+    for (int64_t i = 0; i < count; i++) {
+        int32_t p = (int32_t)(2 + 2 * i), q = p + 1;
+        int32_t faces[12] = {0, 1, p, 1, 0, q, 0, p, q, 1, q, p};
+        memcpy(mesh->triangles + 12 * i, faces, sizeof faces);
+        for (int side = 0; side < 2; side++) {
+            double angle = 2 * M_PI * ((double)i + 0.6 * side) / (double)count;
+            float *position = mesh->positions + 3 * (int64_t)(p + side);
+            position[0] = (float)(0.5 * cos(angle));
+            position[1] = (float)(0.5 * sin(angle));
+        }
+    }
+    return 0;
+}
+
+/* Vertices along a helix; with triangles, one (v,v,v) each. */
+static int make_points(struct mesh *mesh, int64_t count, bool with_triangles, struct error *err)
+{
+    if (mesh_init(mesh, count, with_triangles ? count : 0, err))
+        return -1;
+    for (int64_t v = 0; v < count; v++) {
+        mesh->positions[3 * v] = (float)(0.5 * cos((double)v));
+        mesh->positions[3 * v + 1] = (float)(0.5 * sin((double)v));
+        mesh->positions[3 * v + 2] = (float)((double)v / (double)count - 0.5);
+        for (int corner = 0; with_triangles && corner < 3; corner++)
+            mesh->triangles[3 * v + corner] = (int32_t)v;
+    }
+    return 0;
+}
+
+static int make_shape(const struct judge_case *c, const char *models, struct mesh *mesh,
+                      struct error *err)
+{
+    int64_t a = c->parameter[1], b = c->parameter[2];
+    (void)models;
+    switch ((enum mesh_shape)c->parameter[0]) {
+    case SHAPE_EMPTY:
+        return generate_empty(mesh, err);
+    case SHAPE_ONE_TRIANGLE:
+        return generate_one_triangle(mesh, err);
+    case SHAPE_TETRAHEDRON:
+        return generate_tetrahedron(mesh, err);
+    case SHAPE_CUBE:
+        return generate_cube(mesh, err);
+    case SHAPE_GRID:
+        return generate_grid(mesh, a, b, err);
+    case SHAPE_UV_SPHERE:
+        return generate_uv_sphere(mesh, a, b, err);
+    case SHAPE_ICO:
+        return generate_icosphere(mesh, (int)a, err);
+    case SHAPE_TORUS:
+        return generate_torus(mesh, (int)a, b, err);
+    case SHAPE_DISC:
+        return generate_disc(mesh, a, b, err);
+    case SHAPE_FAN:
+        return generate_fan(mesh, a, err);
+    case SHAPE_BIPYRAMID:
+        return generate_bipyramid(mesh, a, err);
+    case SHAPE_MOEBIUS:
+        return generate_moebius(mesh, a, err);
+    case SHAPE_TWO_CONES:
+        return generate_two_cones(mesh, a, err);
+    case SHAPE_TWO_CUBES:
+        return generate_two_cubes(mesh, err);
+    case SHAPE_ROUND_AN_EDGE:
+        return make_round_an_edge(mesh, a, err);
+    case SHAPE_NEEDLES:
+        return generate_needles(mesh, a, pow(10, -(double)b), c->seed, err);
+    case SHAPE_ISOLATED:
+        return make_points(mesh, a, false, err);
+    case SHAPE_POINT_TRIANGLES:
+        return make_points(mesh, a, true, err);
+    case SHAPE_MODEL:
+        break;
+    }
+    return error_set(err, "case %s: no such shape: %lld", c->name, (long long)c->parameter[0]);
+}
+
+/* ------------------------------------------------------------------------------------- changes */
+
+static int64_t part(int64_t count, int64_t divisor)
+{
+    return count / divisor > 0 ? count / divisor : 1;
+}
+
+/* A tetrahedron, a cube and an icosphere in a row beside the mesh. */
+static int append_components(struct mesh *mesh, struct error *err)
+{
+    for (int i = 0; i < 3; i++) {
+        struct mesh other;
+        int failed = i == 0   ? generate_tetrahedron(&other, err)
+                     : i == 1 ? generate_cube(&other, err)
+                              : generate_icosphere(&other, 1, err);
+        if (failed)
+            return -1;
+        failed = change_append(mesh, &other, 1.5F * (float)(i + 1), 0, 0, err);
+        mesh_release(&other);
+        if (failed)
+            return -1;
+    }
+    return 0;
+}
+
+/* Replaces the mesh by one with more vertices, in front or behind, and more triangles at the end,
+ * all of them zero. */
+static int grow(struct mesh *mesh, int64_t vertices_before, int64_t vertices_after,
+                int64_t triangles_after, struct error *err)
+{
+    struct mesh grown;
+    if (mesh_init(&grown, vertices_before + mesh->vertex_count + vertices_after,
+                  mesh->triangle_count + triangles_after, err))
+        return -1;
+    for (int64_t i = 0; i < 3 * (int64_t)mesh->vertex_count; i++)
+        grown.positions[3 * vertices_before + i] = mesh->positions[i];
+    for (int64_t i = 0; i < 3 * (int64_t)mesh->triangle_count; i++)
+        grown.triangles[i] = mesh->triangles[i] + (int32_t)vertices_before;
+    mesh_release(mesh);
+    *mesh = grown;
+    return 0;
+}
+
+/* Adds `count` degenerate triangles, each from a vertex of a triangle to a new vertex beside it:
+ * the only triangle of that edge. */
+static int add_spikes(struct mesh *mesh, int64_t count, struct error *err)
+{
+    int64_t vertex_count = mesh->vertex_count, triangle_count = mesh->triangle_count;
+    if (grow(mesh, 0, count, count, err))
+        return -1;
+    for (int64_t i = 0; i < count; i++) {
+        int32_t from = mesh->triangles[3 * (i * triangle_count / count)];
+        int32_t to = (int32_t)(vertex_count + i);
+        for (int axis = 0; axis < 3; axis++)
+            mesh->positions[3 * (int64_t)to + axis] =
+                1.1F * mesh->positions[3 * (int64_t)from + axis];
+        for (int corner = 0; corner < 3; corner++)
+            mesh->triangles[3 * (triangle_count + i) + corner] = corner == i % 3 ? to : from;
+    }
+    return 0;
+}
+
+/* Turns by 1 radian around (1,2,3): p' = p cos + (n x p) sin + n (n . p)(1 - cos), by Rodrigues. */
+static void tilt(struct mesh *mesh)
+{
+    const double length = sqrt(14), n[3] = {1 / length, 2 / length, 3 / length};
+    const double cosine = cos(1), sine = sin(1);
+    for (int64_t v = 0; v < mesh->vertex_count; v++) {
+        float *position = mesh->positions + 3 * v;
+        double p[3] = {(double)position[0], (double)position[1], (double)position[2]};
+        double along = (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) * (1 - cosine);
+        for (int i = 0; i < 3; i++) {
+            int j = (i + 1) % 3, k = (i + 2) % 3;
+            double cross = n[j] * p[k] - n[k] * p[j];
+            position[i] = (float)(p[i] * cosine + cross * sine + n[i] * along);
+        }
+    }
+}
+
+static int change_elements(struct mesh *mesh, int64_t changes, uint64_t seed, struct error *err)
+{
+    int64_t triangles = mesh->triangle_count, vertices = mesh->vertex_count;
+    if ((changes & WITH_HOLES) && change_remove_triangles(mesh, part(triangles, 16), seed, err))
+        return -1;
+    if ((changes & WITH_COMPONENTS) && append_components(mesh, err))
+        return -1;
+    if ((changes & WITH_ISOLATED) &&
+        change_add_isolated_vertices(mesh, part(vertices, 4), seed, err))
+        return -1;
+    if ((changes & WITH_DUPLICATES) &&
+        change_add_duplicate_triangles(mesh, part(triangles, 8), seed, err))
+        return -1;
+    if ((changes & WITH_DEGENERATE) &&
+        change_add_degenerate_triangles(mesh, part(triangles, 8), seed, err))
+        return -1;
+    if ((changes & WITH_SPIKES) && add_spikes(mesh, part(triangles, 8), err))
+        return -1;
+    return 0;
+}
+
+static void change_positions(struct mesh *mesh, int64_t changes)
+{
+    if (changes & TILTED)
+        tilt(mesh);
+    if (changes & TINY)
+        change_scale(mesh, 0x1p-40F);
+    if (changes & HUGE_SIZE)
+        change_scale(mesh, 0x1p40F);
+    if (changes & FAR) {
+        change_scale(mesh, 32);
+        change_translate(mesh, 1e6F, -1e6F, 1e6F);
+    }
+}
+
+static int change_order(struct mesh *mesh, int64_t changes, uint64_t seed, struct error *err)
+{
+    if ((changes & FLIPPED) && change_flip(mesh, 0.5, seed, err))
+        return -1;
+    if ((changes & REVERSED) && change_flip(mesh, 1, seed, err))
+        return -1;
+    if ((changes & SCRAMBLED) && change_scramble(mesh, seed, err))
+        return -1;
+    if ((changes & ADVERSARIAL) && change_adversarial_numbering(mesh, seed, err))
+        return -1;
+    if ((changes & HIGH_NUMBERS) && grow(mesh, UNUSED_VERTICES, 0, 0, err))
+        return -1;
+    return 0;
+}
+
+int mesh_case_make(const struct judge_case *c, const char *models, struct mesh *mesh,
+                   struct error *err)
+{
+    int64_t changes = c->parameter[3];
+    if (make_shape(c, models, mesh, err))
+        return -1;
+    if (change_elements(mesh, changes, c->seed, err) || change_order(mesh, changes, c->seed, err)) {
+        mesh_release(mesh);
+        return -1;
+    }
+    change_positions(mesh, changes);
+    return 0;
+}
+
+/* ------------------------------------------------------------------------------------- packets */
+
+int mesh_case_write(const struct mesh *mesh, struct writer *input, struct error *err)
+{
+    write_int(input, mesh->vertex_count);
+    write_int(input, mesh->triangle_count);
+    write_array(input, mesh->positions, mesh->vertex_count, 3 * sizeof(float));
+    write_array(input, mesh->triangles, mesh->triangle_count, 3 * sizeof(int32_t));
+    if (input->failed)
+        return error_set(err, "out of memory: writing a mesh of %d triangles",
+                         mesh->triangle_count);
+    return 0;
+}
+
+int mesh_case_write_input(const struct judge_case *c, const char *models, struct writer *input,
+                          struct error *err)
+{
+    struct mesh mesh;
+    if (mesh_case_make(c, models, &mesh, err))
+        return -1;
+    int failed = mesh_case_write(&mesh, input, err);
+    mesh_release(&mesh);
+    return failed;
+}
+
+struct mesh_view mesh_case_read(struct span input)
+{
+    struct reader reader = reader_of(input.bytes, input.count);
+    struct mesh_view view;
+    view.vertex_count = (int32_t)read_int(&reader);
+    view.triangle_count = (int32_t)read_int(&reader);
+    view.positions = read_array(&reader, view.vertex_count, 3 * sizeof(float));
+    view.triangles = read_array(&reader, view.triangle_count, 3 * sizeof(int32_t));
+    return view;
+}
+
+int mesh_case_show(const struct mesh_view *view, struct scene *scene, struct error *err)
+{
+    return scene_set_mesh(scene, view->positions, view->vertex_count, view->triangles,
+                          view->triangle_count, err);
+}
