@@ -3,7 +3,7 @@
 #include "graders/report/check.h"
 
 #include "graders/report/clean.h"
-#include "graders/report/files.h"
+#include "graders/report/documents.h"
 #include "graders/report/words.h"
 
 #include <math.h>
@@ -26,7 +26,7 @@ enum kind {
     VERDICT,     /* a verdict of a submission */
     ANY_VERDICT, /* also not-measured and not-reached */
     STRINGS,     /* a list of strings */
-    NUMBERS,     /* a list of numbers above 0 */
+    NUMBERS,     /* a list of numbers from 0 on */
     REASONS,     /* an object of strings */
     RECORD,      /* an object with the fields of `record` */
     RECORDS      /* a list of them */
@@ -144,7 +144,7 @@ static const struct field result_fields[] = {
     {"student", STRING, REQUIRED, NULL},
     {"student_folder", NAME, REQUIRED, NULL},
     {"exercise", NAME, REQUIRED, NULL},
-    {"group", NAME, REQUIRED, NULL},
+    {"group", STRING, REQUIRED, NULL},
     {"course", WORDS, OPTIONAL, NULL},
     {"title", WORDS, REQUIRED, NULL},
     {"problem", STRING, REQUIRED, NULL},
@@ -191,7 +191,7 @@ static bool is_points(const json_t *value)
 static bool is_name(const json_t *value)
 {
     return json_is_string(value) && strlen(json_string_value(value)) == json_string_length(value) &&
-           file_is_safe_name(json_string_value(value));
+           document_is_safe_name(json_string_value(value));
 }
 
 static bool is_verdict(const json_t *value, bool any)
@@ -244,8 +244,8 @@ static int check_list(const json_t *list, enum kind kind, const char *place, str
     {
         if (kind == STRINGS && !json_is_string(value))
             return expected(place, "a list of strings", value, err);
-        if (kind == NUMBERS && !(json_is_number(value) && json_number_value(value) > 0))
-            return expected(place, "a list of numbers above 0", value, err);
+        if (kind == NUMBERS && !(json_is_number(value) && json_number_value(value) >= 0))
+            return expected(place, "a list of numbers from 0 on", value, err);
     }
     return 0;
 }
@@ -409,10 +409,13 @@ static int check_families(const json_t *measure, const char *const *keys, const 
     json_array_foreach(json_object_get(measure, "families"), i, family)
     {
         size_t count = json_array_size(json_object_get(family, "sizes"));
-        for (const char *const *key = keys; *key; key++)
-            if (json_array_size(json_object_get(family, *key)) != count)
+        for (const char *const *key = keys; *key; key++) {
+            size_t length = json_array_size(json_object_get(family, *key));
+            bool may_lack = strncmp(*key, "reference", strlen("reference")) == 0;
+            if (length != count && !(may_lack && length == 0))
                 return error_set(err, "%s.families[%zu].%s: is not as long as sizes", place, i,
                                  *key);
+        }
     }
     return 0;
 }

@@ -2,7 +2,7 @@
 #include "graders/report/export.h"
 
 #include "graders/report/clean.h"
-#include "graders/report/files.h"
+#include "graders/report/documents.h"
 #include "graders/report/report.h"
 
 #include <errno.h>
@@ -106,7 +106,7 @@ int report_export(const char *out, const char *format, const struct export_selec
 
 int report_grades(const char *out, struct error *err)
 {
-    char path[FILE_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     char *text = NULL;
     size_t length = 0;
     struct export_selection everyone = {0};
@@ -117,9 +117,9 @@ int report_grades(const char *out, struct error *err)
     if (fclose(to) != 0 && status == 0)
         status = error_set(err, "out of memory for grades.csv");
     if (status == 0)
-        status = file_path(path, err, "%s/grades.csv", out);
+        status = document_path(path, err, "%s/grades.csv", out);
     if (status == 0)
-        status = file_write(path, text, length, err);
+        status = document_write(path, text, length, err);
     free(text);
     return status;
 }

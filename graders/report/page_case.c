@@ -3,7 +3,7 @@
 #include "graders/report/page.h"
 
 #include "graders/report/chart.h"
-#include "graders/report/files.h"
+#include "graders/report/documents.h"
 
 #include <string.h>
 
@@ -57,14 +57,14 @@ static void write_legend(struct html *page, const json_t *scene)
 static int write_scene_script(const struct page_context *context, const char *stem,
                               const json_t *scene, struct error *err)
 {
-    char path[FILE_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     char *text = json_dumps(scene, JSON_COMPACT | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(15));
     char *script = NULL;
     if (!text || asprintf(&script, "meshgrade_scene(\"%s\", %s);\n", stem, text) < 0)
         script = NULL;
     int status = script ? 0 : error_set(err, "out of memory for a scene");
-    if (status == 0 && file_path(path, err, "%s/%s.js", context->out, stem) == 0)
-        status = file_write(path, script, strlen(script), err);
+    if (status == 0 && document_path(path, err, "%s/%s.js", context->out, stem) == 0)
+        status = document_write(path, script, strlen(script), err);
     free(script);
     free(text);
     return status;
@@ -73,10 +73,10 @@ static int write_scene_script(const struct page_context *context, const char *st
 static void write_view(struct html *page, const struct page_context *context, const char *stem,
                        const json_t *scene)
 {
-    char path[FILE_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     struct error err = {""};
     if (write_scene_script(context, stem, scene, &err) != 0 ||
-        file_path(path, &err, "%s%s.js", context->up, stem) != 0) {
+        document_path(path, &err, "%s%s.js", context->up, stem) != 0) {
         page->fault = "a scene could not be written beside its picture";
         return;
     }
@@ -96,13 +96,14 @@ static void write_view(struct html *page, const struct page_context *context, co
 static void write_figure(struct html *page, const struct page_context *context, const char *stem,
                          const json_t *scene, struct words message)
 {
-    char picture[FILE_PATH_BYTES];
+    char picture[DOCUMENT_PATH_BYTES];
     struct error ignored = {""};
     bool is_chart = strcmp(result_text(scene, "kind"), "chart") == 0;
     html_open(page, "figure");
     if (is_chart)
         chart_draw(page, scene, message);
-    else if (file_path(picture, &ignored, "%s.png", stem) == 0 && page_has_file(context, picture))
+    else if (document_path(picture, &ignored, "%s.png", stem) == 0 &&
+             page_has_file(context, picture))
         page_picture(page, context, picture, message);
     if (!is_chart && context->has_three)
         write_view(page, context, stem, scene);
@@ -149,15 +150,15 @@ static void write_facts(struct html *page, const json_t *result, const json_t *o
 void page_case(struct html *page, const struct page_context *context, const json_t *result,
                const json_t *one)
 {
-    char stem[FILE_PATH_BYTES];
-    char path[FILE_PATH_BYTES];
+    char stem[DOCUMENT_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     struct error err = {""};
     json_t *scene = NULL;
     if (json_is_true(json_object_get(one, "scene")) &&
-        file_path(stem, &err, "pictures/%s/%s/%s", result_text(result, "student_folder"),
-                  result_text(result, "exercise"), result_text(one, "name")) == 0 &&
-        file_path(path, &err, "%s/%s.json", context->out, stem) == 0)
-        scene = file_read_json(path, &err);
+        document_path(stem, &err, "pictures/%s/%s/%s", result_text(result, "student_folder"),
+                      result_text(result, "exercise"), result_text(one, "name")) == 0 &&
+        document_path(path, &err, "%s/%s.json", context->out, stem) == 0)
+        scene = document_read_json(path, &err);
 
     html_open(page, "article");
     html_attribute(page, "class", scene ? "case" : "case without-picture");

@@ -1,7 +1,7 @@
 /* What the pages share; see page.h. */
 #include "graders/report/page.h"
 
-#include "graders/report/files.h"
+#include "graders/report/documents.h"
 
 #include <string.h>
 #include <unistd.h>
@@ -156,17 +156,18 @@ void page_verdict(struct html *page, const char *verdict)
 
 bool page_has_file(const struct page_context *context, const char *path)
 {
-    char full[FILE_PATH_BYTES];
+    char full[DOCUMENT_PATH_BYTES];
     struct error ignored = {""};
-    return file_path(full, &ignored, "%s/%s", context->out, path) == 0 && access(full, R_OK) == 0;
+    return document_path(full, &ignored, "%s/%s", context->out, path) == 0 &&
+           access(full, R_OK) == 0;
 }
 
 void page_picture(struct html *page, const struct page_context *context, const char *path,
                   struct words alt)
 {
-    char from_page[FILE_PATH_BYTES];
+    char from_page[DOCUMENT_PATH_BYTES];
     struct error ignored = {""};
-    if (file_path(from_page, &ignored, "%s%s", context->up, path) != 0)
+    if (document_path(from_page, &ignored, "%s%s", context->up, path) != 0)
         return;
     html_open(page, "a");
     html_attribute(page, "class", "picture");

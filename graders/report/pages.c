@@ -1,7 +1,7 @@
 /* Writes the pages and what they load; see report.h. */
 #include "graders/report/report.h"
 
-#include "graders/report/files.h"
+#include "graders/report/documents.h"
 #include "graders/report/page.h"
 
 #include <stdlib.h>
@@ -26,11 +26,11 @@ enum { THREE_FILE_COUNT = sizeof three_files / sizeof *three_files };
 
 static int copy_asset(const char *from, const char *out, const char *name, struct error *err)
 {
-    char to[FILE_PATH_BYTES];
+    char to[DOCUMENT_PATH_BYTES];
     size_t length = 0;
-    char *bytes = file_read(from, ASSET_LIMIT_BYTES, &length, err);
-    int status = bytes && file_path(to, err, "%s/assets/%s", out, name) == 0
-                     ? file_write(to, bytes, length, err)
+    char *bytes = document_read(from, ASSET_LIMIT_BYTES, &length, err);
+    int status = bytes && document_path(to, err, "%s/assets/%s", out, name) == 0
+                     ? document_write(to, bytes, length, err)
                      : -1;
     free(bytes);
     return status;
@@ -40,8 +40,8 @@ static int copy_own_assets(const char *out, const char *root, struct error *err)
 {
     static const char *const names[] = {"page.css", "page.js", "viewer.js"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        char from[FILE_PATH_BYTES];
-        if (file_path(from, err, "%s/graders/report/%s", root, names[i]) != 0 ||
+        char from[DOCUMENT_PATH_BYTES];
+        if (document_path(from, err, "%s/graders/report/%s", root, names[i]) != 0 ||
             copy_asset(from, out, names[i], err) != 0)
             return -1;
     }
@@ -67,7 +67,7 @@ static int write_page(struct html *page, const char *path, struct error *err)
 {
     int status = html_finish(page, err);
     if (status == 0)
-        status = file_write(path, page->text, page->length, err);
+        status = document_write(path, page->text, page->length, err);
     html_release(page);
     return status;
 }
@@ -75,9 +75,9 @@ static int write_page(struct html *page, const char *path, struct error *err)
 static int write_class_page(const struct page_context *context, const struct gradebook *book,
                             struct error *err)
 {
-    char path[FILE_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     struct html page;
-    if (file_path(path, err, "%s/index.html", context->out) != 0 || html_start(&page, err) != 0)
+    if (document_path(path, err, "%s/index.html", context->out) != 0 || html_start(&page, err) != 0)
         return -1;
     page_class(&page, context, book);
     return write_page(&page, path, err);
@@ -86,9 +86,9 @@ static int write_class_page(const struct page_context *context, const struct gra
 static int write_student_page(const struct page_context *context, const struct gradebook *book,
                               const struct student *student, struct error *err)
 {
-    char path[FILE_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     struct html page;
-    if (file_path(path, err, "%s/students/%s.html", context->out, student->folder) != 0 ||
+    if (document_path(path, err, "%s/students/%s.html", context->out, student->folder) != 0 ||
         html_start(&page, err) != 0)
         return -1;
     page_student(&page, context, book, student);
@@ -98,14 +98,14 @@ static int write_student_page(const struct page_context *context, const struct g
 static int write_pages(const char *out, const char *root, const struct gradebook *book,
                        struct error *err)
 {
-    char path[FILE_PATH_BYTES];
-    if (file_path(path, err, "%s/assets", out) != 0 || file_make_folders(path, err) != 0 ||
-        file_path(path, err, "%s/students", out) != 0 || file_make_folders(path, err) != 0 ||
-        copy_own_assets(out, root, err) != 0 ||
-        file_path(path, err, "%s/pictures/status.json", out) != 0)
+    char path[DOCUMENT_PATH_BYTES];
+    if (document_path(path, err, "%s/assets", out) != 0 || document_make_folders(path, err) != 0 ||
+        document_path(path, err, "%s/students", out) != 0 ||
+        document_make_folders(path, err) != 0 || copy_own_assets(out, root, err) != 0 ||
+        document_path(path, err, "%s/pictures/status.json", out) != 0)
         return -1;
     struct error ignored = {""};
-    json_t *pictures_status = access(path, R_OK) == 0 ? file_read_json(path, &ignored) : NULL;
+    json_t *pictures_status = access(path, R_OK) == 0 ? document_read_json(path, &ignored) : NULL;
     struct page_context context = {
         .out = out, .up = "", .has_three = copy_three(out), .pictures_status = pictures_status};
     int status = write_class_page(&context, book, err);

@@ -7,7 +7,7 @@
 
 #include "graders/report/causes.h"
 #include "graders/report/chart.h"
-#include "graders/report/files.h"
+#include "graders/report/documents.h"
 #include "graders/report/renderer.h"
 
 #include <stdlib.h>
@@ -48,19 +48,20 @@ static bool is_up_to_date(const char *made, const char *from)
 static int write_chart(const char *out, const json_t *result, const char *name, json_t *scene,
                        struct error *err)
 {
-    char path[FILE_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     if (!scene)
         return 0;
-    int status = file_path(path, err, "%s/pictures/%s/%s", out,
-                           result_text(result, "student_folder"), result_text(result, "exercise"));
+    int status =
+        document_path(path, err, "%s/pictures/%s/%s", out, result_text(result, "student_folder"),
+                      result_text(result, "exercise"));
     if (status == 0)
-        status = file_make_folders(path, err);
+        status = document_make_folders(path, err);
     if (status == 0)
-        status =
-            file_path(path, err, "%s/pictures/%s/%s/%s.json", out,
-                      result_text(result, "student_folder"), result_text(result, "exercise"), name);
+        status = document_path(path, err, "%s/pictures/%s/%s/%s.json", out,
+                               result_text(result, "student_folder"),
+                               result_text(result, "exercise"), name);
     if (status == 0)
-        status = file_write_json(path, scene, err);
+        status = document_write_json(path, scene, err);
     json_decref(scene);
     return status;
 }
@@ -114,13 +115,14 @@ static int job_add_cell(struct job *job, const char *picture, const char *captio
 static int job_add_scene(struct job *job, const char *out, const char *stem, const char *caption,
                          struct error *err)
 {
-    char scene[FILE_PATH_BYTES];
-    char picture[FILE_PATH_BYTES];
-    if (file_path(scene, err, "%s/pictures/%s.json", out, stem) != 0 ||
-        file_path(picture, err, "%s/pictures/%s.png", out, stem) != 0)
+    char scene[DOCUMENT_PATH_BYTES];
+    char picture[DOCUMENT_PATH_BYTES];
+    if (document_path(scene, err, "%s/pictures/%s.json", out, stem) != 0 ||
+        document_path(picture, err, "%s/pictures/%s.png", out, stem) != 0)
         return -1;
     bool stale = !is_up_to_date(picture, scene);
-    if (file_path(scene, err, "%s.json", stem) != 0 || file_path(picture, err, "%s.png", stem) != 0)
+    if (document_path(scene, err, "%s.json", stem) != 0 ||
+        document_path(picture, err, "%s.png", stem) != 0)
         return -1;
     if (stale) {
         job->stale++;
@@ -135,16 +137,16 @@ static int job_add_scene(struct job *job, const char *out, const char *stem, con
 static int job_add_folder(struct job *job, const char *out, const char *student,
                           const char *exercise, struct error *err)
 {
-    char path[FILE_PATH_BYTES];
-    if (file_path(path, err, "%s/pictures/%s/%s", out, student, exercise) != 0)
+    char path[DOCUMENT_PATH_BYTES];
+    if (document_path(path, err, "%s/pictures/%s/%s", out, student, exercise) != 0)
         return -1;
-    char **scenes = file_list(path, ".json", err);
+    char **scenes = document_list(path, ".json", err);
     int status = scenes ? 0 : -1;
     for (size_t i = 0; status == 0 && scenes[i]; i++) {
         char caption[300];
         size_t length = strlen(scenes[i]) - strlen(".json");
         snprintf(caption, sizeof caption, "%s: %.*s", exercise, (int)length, scenes[i]);
-        status = file_path(path, err, "%s/%s/%.*s", student, exercise, (int)length, scenes[i]);
+        status = document_path(path, err, "%s/%s/%.*s", student, exercise, (int)length, scenes[i]);
         if (status == 0)
             status = job_add_scene(job, out, path, caption, err);
     }
@@ -160,11 +162,13 @@ static size_t count_fresh(const struct job *job, const char *out)
     json_t *picture;
     json_array_foreach(job->pictures, i, picture)
     {
-        char scene[FILE_PATH_BYTES];
-        char made[FILE_PATH_BYTES];
+        char scene[DOCUMENT_PATH_BYTES];
+        char made[DOCUMENT_PATH_BYTES];
         struct error ignored = {""};
-        if (file_path(scene, &ignored, "%s/pictures/%s", out, result_text(picture, "scene")) == 0 &&
-            file_path(made, &ignored, "%s/pictures/%s", out, result_text(picture, "out")) == 0 &&
+        if (document_path(scene, &ignored, "%s/pictures/%s", out, result_text(picture, "scene")) ==
+                0 &&
+            document_path(made, &ignored, "%s/pictures/%s", out, result_text(picture, "out")) ==
+                0 &&
             is_up_to_date(made, scene))
             fresh++;
     }
@@ -182,10 +186,10 @@ static void note_undrawn(struct drawing *drawing, size_t count, struct words rea
 static int draw(struct drawing *drawing, struct job *job, const char *sheet, const char *title,
                 struct error *err)
 {
-    char sheet_path[FILE_PATH_BYTES];
-    char path[FILE_PATH_BYTES];
-    if (file_path(sheet_path, err, "%s/pictures/%s", drawing->out, sheet) != 0 ||
-        file_path(path, err, "%s/pictures/job.json", drawing->out) != 0)
+    char sheet_path[DOCUMENT_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
+    if (document_path(sheet_path, err, "%s/pictures/%s", drawing->out, sheet) != 0 ||
+        document_path(path, err, "%s/pictures/job.json", drawing->out) != 0)
         return -1;
     bool sheet_is_there = access(sheet_path, R_OK) == 0;
     if (json_array_size(job->cells) == 0 || (job->stale == 0 && sheet_is_there))
@@ -198,7 +202,7 @@ static int draw(struct drawing *drawing, struct job *job, const char *sheet, con
                              "sheets", "title", title, "subtitle", "", "out", sheet, "columns",
                              SHEET_COLUMNS, "cells", job->cells);
     int status =
-        json ? file_write_json(path, json, err) : error_set(err, "out of memory for a job");
+        json ? document_write_json(path, json, err) : error_set(err, "out of memory for a job");
     json_decref(json);
     if (status != 0)
         return -1;
@@ -241,8 +245,8 @@ static int add_causes(struct job *job, const char *out, const struct gradebook *
     int status = 0;
     for (size_t i = 0; status == 0 && i < causes.count; i++) {
         const struct cause *cause = &causes.list[i];
-        char stem[FILE_PATH_BYTES];
-        char picture[FILE_PATH_BYTES];
+        char stem[DOCUMENT_PATH_BYTES];
+        char picture[DOCUMENT_PATH_BYTES];
         char slug[64];
         char caption[300];
         if (!cause->case_name)
@@ -251,10 +255,10 @@ static int add_causes(struct job *job, const char *out, const struct gradebook *
         snprintf(caption, sizeof caption, "%s: %s (%zu of %zu)", book->exercises[exercise].name,
                  slug, cause->student_count, causes.answer_count);
         status =
-            file_path(stem, err, "%s/%s/%s", result_text(cause->scene_result, "student_folder"),
-                      book->exercises[exercise].name, cause->case_name);
+            document_path(stem, err, "%s/%s/%s", result_text(cause->scene_result, "student_folder"),
+                          book->exercises[exercise].name, cause->case_name);
         if (status == 0)
-            status = file_path(picture, err, "%s/pictures/%s.png", out, stem);
+            status = document_path(picture, err, "%s/pictures/%s.png", out, stem);
         if (status == 0 && access(picture, R_OK) == 0)
             status = job_add_scene(job, out, stem, caption, err);
     }
@@ -265,13 +269,13 @@ static int add_causes(struct job *job, const char *out, const struct gradebook *
 static int draw_class(struct drawing *drawing, const struct gradebook *book, struct error *err)
 {
     struct job job;
-    char sheet[FILE_PATH_BYTES];
+    char sheet[DOCUMENT_PATH_BYTES];
     int status = job_start(&job, err);
     for (size_t e = 0; status == 0 && e < book->exercise_count; e++)
         status = add_causes(&job, drawing->out, book, e, err);
     /* Captions change with every result, so it is made anew whenever anything was drawn. */
     if (status == 0 && drawing->drawn > 0 &&
-        file_path(sheet, err, "%s/pictures/class.png", drawing->out) == 0)
+        document_path(sheet, err, "%s/pictures/class.png", drawing->out) == 0)
         unlink(sheet);
     if (status == 0)
         status = draw(drawing, &job, "class.png", "The most frequent causes", err);
@@ -283,16 +287,16 @@ static int draw_class(struct drawing *drawing, const struct gradebook *book, str
 
 static int write_status(const struct drawing *drawing, struct error *err)
 {
-    char path[FILE_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     bool told = drawing->undrawn > 0;
     json_t *status =
         json_pack("{s:I, s:{s:s, s:s}}", "undrawn", (json_int_t)drawing->undrawn, "reason", "en",
                   told ? drawing->reason.en : "", "es", told ? drawing->reason.es : "");
     int result = status ? 0 : error_set(err, "out of memory for the status of pictures");
     if (result == 0)
-        result = file_path(path, err, "%s/pictures/status.json", drawing->out);
+        result = document_path(path, err, "%s/pictures/status.json", drawing->out);
     if (result == 0)
-        result = file_write_json(path, status, err);
+        result = document_write_json(path, status, err);
     json_decref(status);
     return result;
 }
@@ -300,15 +304,16 @@ static int write_status(const struct drawing *drawing, struct error *err)
 int report_pictures(const char *out, const char *renderer_path, struct error *err)
 {
     struct gradebook book;
-    char pictures[FILE_PATH_BYTES];
-    if (file_path(pictures, err, "%s/pictures", out) != 0 || gradebook_load(out, &book, err) != 0)
+    char pictures[DOCUMENT_PATH_BYTES];
+    if (document_path(pictures, err, "%s/pictures", out) != 0 ||
+        gradebook_load(out, &book, err) != 0)
         return -1;
     struct drawing drawing = {.out = out, .renderer = renderer_path};
     if (!renderer_path || access(renderer_path, X_OK) != 0) {
         drawing.renderer = NULL;
         drawing.reason = renderer_absent_reason();
     }
-    int status = file_make_folders(pictures, err);
+    int status = document_make_folders(pictures, err);
     if (status == 0)
         status = write_charts(out, &book, err);
     for (size_t s = 0; status == 0 && s < book.student_count; s++)
@@ -323,11 +328,11 @@ int report_pictures(const char *out, const char *renderer_path, struct error *er
 
 void report_pictures_reason(const char *out, char *text, size_t capacity)
 {
-    char path[FILE_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     struct error ignored = {""};
     json_t *status = NULL;
-    if (file_path(path, &ignored, "%s/pictures/status.json", out) == 0)
-        status = file_read_json(path, &ignored);
+    if (document_path(path, &ignored, "%s/pictures/status.json", out) == 0)
+        status = document_read_json(path, &ignored);
     snprintf(text, capacity, "%s", words_in(status, "reason").en);
     json_decref(status);
 }

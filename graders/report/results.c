@@ -2,7 +2,7 @@
 #include "graders/report/results.h"
 
 #include "graders/report/check.h"
-#include "graders/report/files.h"
+#include "graders/report/documents.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -37,11 +37,11 @@ enum outcome result_outcome(const json_t *result)
 static int load_file(const char *out, const char *folder, const char *file, json_t *all,
                      struct error *err)
 {
-    char path[FILE_PATH_BYTES];
+    char path[DOCUMENT_PATH_BYTES];
     struct error why = {""};
-    if (file_path(path, err, "%s/results/%s/%s", out, folder, file) != 0)
+    if (document_path(path, err, "%s/results/%s/%s", out, folder, file) != 0)
         return -1;
-    json_t *result = file_read_json(path, &why);
+    json_t *result = document_read_json(path, &why);
     if (result && result_check(result, &why) == 0) {
         char expected_file[160];
         snprintf(expected_file, sizeof expected_file, "%s.json", result_text(result, "exercise"));
@@ -62,10 +62,10 @@ static int load_file(const char *out, const char *folder, const char *file, json
 
 static int load_folder(const char *out, const char *folder, json_t *all, struct error *err)
 {
-    char path[FILE_PATH_BYTES];
-    if (file_path(path, err, "%s/results/%s", out, folder) != 0)
+    char path[DOCUMENT_PATH_BYTES];
+    if (document_path(path, err, "%s/results/%s", out, folder) != 0)
         return -1;
-    char **files = file_list(path, ".json", err);
+    char **files = document_list(path, ".json", err);
     int status = files ? 0 : -1;
     for (size_t i = 0; status == 0 && files[i]; i++)
         status = load_file(out, folder, files[i], all, err);
@@ -76,10 +76,10 @@ static int load_folder(const char *out, const char *folder, json_t *all, struct 
 int gradebook_load(const char *out, struct gradebook *book, struct error *err)
 {
     *book = (struct gradebook){0};
-    char path[FILE_PATH_BYTES];
-    if (file_path(path, err, "%s/results", out) != 0)
+    char path[DOCUMENT_PATH_BYTES];
+    if (document_path(path, err, "%s/results", out) != 0)
         return -1;
-    char **folders = file_list(path, "", err);
+    char **folders = document_list(path, "", err);
     json_t *all = json_array();
     int status = folders && all ? 0 : error_set(err, "out of memory for the results");
     for (size_t i = 0; status == 0 && folders[i]; i++)

@@ -1,5 +1,5 @@
-/* Reading and writing the files of a report folder; see files.h. */
-#include "graders/report/files.h"
+/* Reading and writing the files of a report folder; see documents.h. */
+#include "graders/report/documents.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -50,7 +50,7 @@ static char *read_open_file(int fd, const char *path, size_t limit_bytes, size_t
     return bytes;
 }
 
-char *file_read(const char *path, size_t limit_bytes, size_t *length, struct error *err)
+char *document_read(const char *path, size_t limit_bytes, size_t *length, struct error *err)
 {
     int fd = open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY);
     if (fd < 0) {
@@ -62,10 +62,10 @@ char *file_read(const char *path, size_t limit_bytes, size_t *length, struct err
     return bytes;
 }
 
-json_t *file_read_json(const char *path, struct error *err)
+json_t *document_read_json(const char *path, struct error *err)
 {
     size_t length = 0;
-    char *bytes = file_read(path, FILE_JSON_LIMIT_BYTES, &length, err);
+    char *bytes = document_read(path, DOCUMENT_JSON_LIMIT_BYTES, &length, err);
     if (!bytes)
         return NULL;
     json_error_t at;
@@ -80,7 +80,7 @@ static bool holds_already(const char *path, const char *bytes, size_t length)
 {
     struct error ignored = {""};
     size_t old_length = 0;
-    char *old = file_read(path, length, &old_length, &ignored);
+    char *old = document_read(path, length, &old_length, &ignored);
     bool same = old && old_length == length && memcmp(old, bytes, length) == 0;
     free(old);
     return same;
@@ -100,12 +100,12 @@ static int write_all(int fd, const char *bytes, size_t length)
     return fsync(fd);
 }
 
-int file_write(const char *path, const char *bytes, size_t length, struct error *err)
+int document_write(const char *path, const char *bytes, size_t length, struct error *err)
 {
     if (holds_already(path, bytes, length))
         return 0;
-    char fresh[FILE_PATH_BYTES];
-    if (file_path(fresh, err, "%s.XXXXXX", path) != 0)
+    char fresh[DOCUMENT_PATH_BYTES];
+    if (document_path(fresh, err, "%s.XXXXXX", path) != 0)
         return -1;
     int fd = mkostemp(fresh, O_CLOEXEC);
     if (fd < 0)
@@ -120,20 +120,20 @@ int file_write(const char *path, const char *bytes, size_t length, struct error 
     return 0;
 }
 
-int file_write_json(const char *path, const json_t *value, struct error *err)
+int document_write_json(const char *path, const json_t *value, struct error *err)
 {
     char *text = json_dumps(value, JSON_COMPACT | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(15));
     if (!text)
         return error_set(err, "%s: out of memory for its JSON", path);
-    int status = file_write(path, text, strlen(text), err);
+    int status = document_write(path, text, strlen(text), err);
     free(text);
     return status;
 }
 
-int file_make_folders(const char *path, struct error *err)
+int document_make_folders(const char *path, struct error *err)
 {
-    char part[FILE_PATH_BYTES];
-    if (file_path(part, err, "%s", path) != 0)
+    char part[DOCUMENT_PATH_BYTES];
+    if (document_path(part, err, "%s", path) != 0)
         return -1;
     for (char *slash = part + 1;; slash++) {
         if (*slash != '/' && *slash != '\0')
@@ -148,18 +148,19 @@ int file_make_folders(const char *path, struct error *err)
     }
 }
 
-int file_path(char *path, struct error *err, const char *format, ...)
+int document_path(char *path, struct error *err, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    int length = vsnprintf(path, FILE_PATH_BYTES, format, arguments);
+    int length = vsnprintf(path, DOCUMENT_PATH_BYTES, format, arguments);
     va_end(arguments);
-    if (length < 0 || length >= FILE_PATH_BYTES)
-        return error_set(err, "a path is longer than %d bytes: %.200s...", FILE_PATH_BYTES, path);
+    if (length < 0 || length >= DOCUMENT_PATH_BYTES)
+        return error_set(err, "a path is longer than %d bytes: %.200s...", DOCUMENT_PATH_BYTES,
+                         path);
     return 0;
 }
 
-bool file_is_safe_name(const char *name)
+bool document_is_safe_name(const char *name)
 {
     static const char allowed[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
@@ -197,7 +198,7 @@ static char **as_array(const char *text, size_t bytes, size_t count)
     return names;
 }
 
-char **file_list(const char *folder, const char *ending, struct error *err)
+char **document_list(const char *folder, const char *ending, struct error *err)
 {
     DIR *entries = opendir(folder);
     if (!entries && errno != ENOENT) {
@@ -210,7 +211,7 @@ char **file_list(const char *folder, const char *ending, struct error *err)
     FILE *found = open_memstream(&text, &bytes);
     if (found && entries) {
         for (struct dirent *entry; (entry = readdir(entries));) {
-            if (!file_is_safe_name(entry->d_name) || !ends_in(entry->d_name, ending))
+            if (!document_is_safe_name(entry->d_name) || !ends_in(entry->d_name, ending))
                 continue;
             fwrite(entry->d_name, 1, strlen(entry->d_name) + 1, found);
             count++;

@@ -3,8 +3,8 @@
  * Reading never follows a symbolic link at the file itself and never takes more than a limit;
  * writing is atomic (a new file is renamed over the old one) and leaves a file alone that already
  * holds the same bytes, so that making a report again touches only what changed. */
-#ifndef GRADERS_REPORT_FILES_H
-#define GRADERS_REPORT_FILES_H
+#ifndef GRADERS_REPORT_DOCUMENTS_H
+#define GRADERS_REPORT_DOCUMENTS_H
 
 #include "reference/mesh/error.h"
 
@@ -12,35 +12,35 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { FILE_PATH_BYTES = 4096, FILE_JSON_LIMIT_BYTES = 64 << 20 };
+enum { DOCUMENT_PATH_BYTES = 4096, DOCUMENT_JSON_LIMIT_BYTES = 64 << 20 };
 
 /* The bytes of a regular file and a NUL behind them, which the caller frees; NULL on error (absent,
  * a link, not a regular file, larger than limit_bytes, unreadable). length may be NULL. */
-char *file_read(const char *path, size_t limit_bytes, size_t *length, struct error *err);
+char *document_read(const char *path, size_t limit_bytes, size_t *length, struct error *err);
 
-/* A JSON file of at most FILE_JSON_LIMIT_BYTES, a new reference; NULL on error. Duplicate keys and
- * bytes that are not UTF-8 are errors. Strings may hold NUL: use json_string_length. */
-json_t *file_read_json(const char *path, struct error *err);
+/* A JSON file of at most DOCUMENT_JSON_LIMIT_BYTES, a new reference; NULL on error. Duplicate keys
+ * and bytes that are not UTF-8 are errors. Strings may hold NUL: use json_string_length. */
+json_t *document_read_json(const char *path, struct error *err);
 
 /* Writes atomically, unless the file holds these bytes already. */
-int file_write(const char *path, const char *bytes, size_t length, struct error *err);
+int document_write(const char *path, const char *bytes, size_t length, struct error *err);
 
 /* The same for a JSON value: compact, keys in the order of insertion, ASCII only. */
-int file_write_json(const char *path, const json_t *value, struct error *err);
+int document_write_json(const char *path, const json_t *value, struct error *err);
 
 /* Makes a folder and those above it; one that is there is no error. */
-int file_make_folders(const char *path, struct error *err);
+int document_make_folders(const char *path, struct error *err);
 
-/* Joins printf style into a path of FILE_PATH_BYTES; -1 when it does not fit. */
-int file_path(char *path, struct error *err, const char *format, ...)
+/* Joins printf style into a path of DOCUMENT_PATH_BYTES; -1 when it does not fit. */
+int document_path(char *path, struct error *err, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* Whether a name can stand in a path, a URL and an id unescaped: 1 to 128 letters, digits, '.', '_'
  * and '-' (ASCII), not starting with '.' or '-'. */
-bool file_is_safe_name(const char *name);
+bool document_is_safe_name(const char *name);
 
 /* The names in a folder that end in `ending` and are safe, sorted, as a NULL-terminated array in
  * one piece of memory that the caller frees. A folder that is absent has none. NULL on error. */
-char **file_list(const char *folder, const char *ending, struct error *err);
+char **document_list(const char *folder, const char *ending, struct error *err);
 
 #endif

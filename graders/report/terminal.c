@@ -1,0 +1,287 @@
+/* One result on a terminal; see terminal.h. The table of marks is in terminal_marks.c. */
+#include "graders/report/terminal.h"
+
+#include "graders/report/clean.h"
+#include "graders/report/results.h"
+#include "graders/report/terminal_text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---------------------------------------------------------------- the first three lines */
+
+/* The rejected case that explains the verdict: the first with it, else NULL. */
+static const json_t *telling_case(const json_t *result)
+{
+    size_t i;
+    json_t *one;
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        if (strcmp(result_text(one, "verdict"), result_text(result, "verdict")) == 0 &&
+            strcmp(result_text(one, "cause"), result_text(result, "cause")) == 0)
+            return one;
+    }
+    return NULL;
+}
+
+/* The check that explains the verdict, when no case does. */
+static const json_t *telling_check(const json_t *result)
+{
+    size_t i;
+    json_t *check;
+    json_array_foreach(json_object_get(result, "checks"), i, check)
+    {
+        if (strcmp(result_text(check, "verdict"), result_text(result, "verdict")) == 0)
+            return check;
+    }
+    return NULL;
+}
+
+static struct words class_title(const json_t *result, const char *name)
+{
+    size_t i;
+    json_t *part;
+    json_array_foreach(json_object_get(result, "classes"), i, part)
+    {
+        if (strcmp(result_text(part, "name"), name) == 0)
+            return words_in(part, "title");
+    }
+    return (struct words){name, name};
+}
+
+/* The line of the compiler that says what is wrong: the first with "error", else the first. */
+static void first_diagnostic(const char *diagnostics, char *line, size_t capacity)
+{
+    const char *from = strstr(diagnostics, "error");
+    from = from ? from : diagnostics;
+    while (from > diagnostics && from[-1] != '\n')
+        from--;
+    snprintf(line, capacity, "%.*s", (int)strcspn(from, "\n"), from);
+}
+
+static void put_where(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    const json_t *one = telling_case(result);
+    const json_t *check = telling_check(result);
+    char place[700];
+    if (one)
+        snprintf(place, sizeof place, "%s%s%s %s (%s)", result_text(one, "element"),
+                 *result_text(one, "element") ? ", " : "", style->spanish ? "caso" : "case",
+                 result_text(one, "name"),
+                 words_choose(class_title(result, result_text(one, "class")), style->spanish));
+    else if (strcmp(result_text(result, "verdict"), "compile-error") == 0)
+        first_diagnostic(result_text(json_object_get(result, "build"), "diagnostics"), place,
+                         sizeof place);
+    else
+        snprintf(place, sizeof place, "%s",
+                 words_choose(check ? words_in(check, "title") : words_in(result, "title"),
+                              style->spanish));
+    terminal_line(to, style->spanish ? "  dónde   " : "  where   ", place, TERMINAL_COLUMNS);
+}
+
+static void put_again(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    const json_t *one = telling_case(result);
+    char command[700];
+    if (one)
+        snprintf(command, sizeof command, "%s", result_text(one, "reproduce"));
+    else
+        snprintf(command, sizeof command, "meshgrade check %s FILE...",
+                 result_text(result, "exercise"));
+    /* Never cut: it is there to be copied. */
+    terminal_line(to, style->spanish ? "  repetir " : "  again   ", command, sizeof command);
+}
+
+/* What is wrong, in one line: verdict and sentence, or the sentence alone when both do not fit.
+ * When even that had to be cut, the whole follows below the three lines. */
+static void put_head(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    const char *verdict = result_text(result, "verdict");
+    const json_t *one = telling_case(result);
+    const char *sentence =
+        words_choose(words_in(one ? one : result, one ? "message" : "summary"), style->spanish);
+    if (!*sentence)
+        sentence = words_choose(words_in(result, "summary"), style->spanish);
+    char start[128];
+    snprintf(start, sizeof start, "%s %s: ", words_symbol(words_outcome(verdict)),
+             words_choose(words_verdict(verdict), style->spanish));
+    if (clean_columns(start) + clean_columns(sentence) > TERMINAL_COLUMNS)
+        snprintf(start, sizeof start, "%s ", words_symbol(words_outcome(verdict)));
+    terminal_colour(to, style, words_outcome(verdict));
+    bool whole = terminal_line(to, start, sentence, TERMINAL_COLUMNS);
+    terminal_plain(to, style);
+    if (words_outcome(verdict) == OUTCOME_PASSED)
+        return;
+    put_where(to, result, style);
+    put_again(to, result, style);
+    if (!whole) {
+        fputc('\n', to);
+        terminal_paragraph(to, "  ", sentence);
+    }
+}
+
+/* ---------------------------------------------------------------- points */
+
+/* "✓ Closed meshes              4 of 4      2 / 2" */
+static void put_row(FILE *to, const struct terminal_style *style, enum outcome outcome,
+                    struct words title, const char *middle, const json_t *part)
+{
+    char given[32];
+    char possible[32];
+    char points[80];
+    words_of_points(result_number(part, "points"), given, sizeof given);
+    words_of_points(result_number(part, "max_points"), possible, sizeof possible);
+    snprintf(points, sizeof points, "%s / %s", given, possible);
+    fputs("  ", to);
+    terminal_colour(to, style, outcome);
+    fputs(words_symbol(outcome), to);
+    terminal_plain(to, style);
+    fputc(' ', to);
+    terminal_cell(to, words_choose(title, style->spanish), 40, false);
+    fputs("  ", to);
+    terminal_cell(to, middle, 20, false);
+    fputs("  ", to);
+    terminal_cell(to, points, 11, true);
+    fputc('\n', to);
+}
+
+static enum outcome outcome_of(const json_t *part, bool is_absent)
+{
+    if (is_absent)
+        return OUTCOME_ABSENT;
+    if (result_number(part, "points") >= result_number(part, "max_points"))
+        return OUTCOME_PASSED;
+    return result_number(part, "points") > 0 ? OUTCOME_PARTIAL : OUTCOME_FAILED;
+}
+
+static void put_points(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    size_t i;
+    json_t *part;
+    char middle[64];
+    json_array_foreach(json_object_get(result, "classes"), i, part)
+    {
+        long long cases = json_integer_value(json_object_get(part, "cases"));
+        long long passed = json_integer_value(json_object_get(part, "passed"));
+        if (cases == 0)
+            snprintf(middle, sizeof middle, "%s",
+                     words_choose(words_verdict("not-reached"), style->spanish));
+        else if (style->spanish)
+            snprintf(middle, sizeof middle, "%lld de %lld casos", passed, cases);
+        else
+            snprintf(middle, sizeof middle, "%lld of %lld cases", passed, cases);
+        put_row(to, style, outcome_of(part, cases == 0), words_in(part, "title"), middle, part);
+    }
+    json_array_foreach(json_object_get(result, "checks"), i, part)
+    {
+        const char *verdict = result_text(part, "verdict");
+        bool is_absent = words_outcome(verdict) == OUTCOME_ABSENT;
+        put_row(to, style, outcome_of(part, is_absent), words_in(part, "title"),
+                words_choose(words_verdict(verdict), style->spanish), part);
+    }
+}
+
+static void put_score(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    char title[300];
+    char points[80];
+    snprintf(title, sizeof title, "%s %s", result_text(result, "problem"),
+             words_choose(words_in(result, "title"), style->spanish));
+    if (result_outcome(result) == OUTCOME_UNSCORED) {
+        snprintf(points, sizeof points, "%s", style->spanish ? "sin nota" : "not scored");
+    } else {
+        char given[32];
+        char possible[32];
+        words_of_points(result_number(result, "score"), given, sizeof given);
+        words_of_points(result_number(result, "max_score"), possible, sizeof possible);
+        snprintf(points, sizeof points, "%s / %s", given, possible);
+    }
+    fputc('\n', to);
+    if (style->colour)
+        fputs("\033[1m", to);
+    terminal_cell(to, title, 64, false);
+    fputs("  ", to);
+    terminal_cell(to, points, 13, true);
+    terminal_plain(to, style);
+    fputc('\n', to);
+}
+
+/* ---------------------------------------------------------------- the rest */
+
+/* Failed checks say why; the one that the first lines told does not say it again. */
+static void put_check_messages(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    size_t i;
+    json_t *check;
+    bool any = false;
+    const json_t *told = telling_case(result) ? NULL : telling_check(result);
+    json_array_foreach(json_object_get(result, "checks"), i, check)
+    {
+        const char *message = words_choose(words_in(check, "message"), style->spanish);
+        if (check == told || words_outcome(result_text(check, "verdict")) != OUTCOME_FAILED ||
+            !*message)
+            continue;
+        fputs(any ? "" : "\n", to);
+        any = true;
+        terminal_paragraph(to, "  ", message);
+    }
+}
+
+static void put_other_cases(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    enum { SHOWN = 5 };
+    const json_t *told = telling_case(result);
+    size_t count = 0;
+    size_t i;
+    json_t *one;
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        if (one == told || words_outcome(result_text(one, "verdict")) != OUTCOME_FAILED)
+            continue;
+        if (count == 0)
+            fputs(style->spanish ? "\nOtros casos rechazados\n" : "\nOther rejected cases\n", to);
+        if (count++ >= SHOWN)
+            continue;
+        char start[200];
+        snprintf(start, sizeof start, "  %s: ", result_text(one, "name"));
+        terminal_line(to, start, words_choose(words_in(one, "message"), style->spanish),
+                      TERMINAL_COLUMNS);
+    }
+    if (count > SHOWN)
+        fprintf(to, style->spanish ? "  y %zu más\n" : "  and %zu more\n", count - SHOWN);
+}
+
+static void put_diagnostics(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    const json_t *build = json_object_get(result, "build");
+    const json_t *diagnostics = json_object_get(build, "diagnostics");
+    if (json_is_true(json_object_get(build, "ok")) || json_string_length(diagnostics) == 0)
+        return;
+    fputs(style->spanish ? "\nLo que dijo el compilador\n" : "\nWhat the compiler said\n", to);
+    terminal_block(to, "  ", diagnostics, 12);
+}
+
+static void put_not_measured(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    size_t i;
+    json_t *probe;
+    json_array_foreach(json_object_get(result, "not_measured"), i, probe)
+    {
+        char text[600];
+        snprintf(text, sizeof text, "%s: %s: %s", style->spanish ? "No medido" : "Not measured",
+                 result_text(probe, "name"), result_text(probe, "reason"));
+        fputs(i == 0 ? "\n" : "", to);
+        terminal_paragraph(to, "  ", text);
+    }
+}
+
+void terminal_print_result(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    put_head(to, result, style);
+    put_score(to, result, style);
+    put_points(to, result, style);
+    put_diagnostics(to, result, style);
+    put_check_messages(to, result, style);
+    put_other_cases(to, result, style);
+    put_not_measured(to, result, style);
+}
