@@ -117,8 +117,8 @@ static void write_script(const struct exercise *exercise, const struct source *s
     for (int i = 0; i < count; i++) {
         if (!is_c_file(sources[i].name))
             continue;
-        add(script, "gcc " COMMON_FLAGS " -I. -E %s -o %d.i || exit %d\n", sources[i].name, i,
-            STAGE_PREPROCESS);
+        add(script, "gcc " COMMON_FLAGS " -fno-working-directory -I. -E %s -o %d.i || exit %d\n",
+            sources[i].name, i, STAGE_PREPROCESS);
         add(script,
             "gcc " COMMON_FLAGS " " PLAIN_FLAGS " -fpreprocessed -c %d.i -o %d.o || exit %d\n", i,
             i, STAGE_COMPILE);

@@ -14,14 +14,24 @@ enum { SIZED_CHECKS = sizeof sized_checks / sizeof sized_checks[0] };
 
 /* --------------------------------------------------------------- measuring */
 
-/* A call on a sized input went wrong: no check that rests on it can pass. */
+static bool any_case_failed(const struct trial *trial)
+{
+    for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
+        if (trial->cases[i].run && trial->cases[i].attempt.verdict != VERDICT_PASSED)
+            return true;
+    return false;
+}
+
+/* A call on a sized input went wrong: no check that rests on it can pass. It is a failure of its
+ * own only when every case was right; otherwise the cases tell the mistake, and better. */
 static void blame_failure(struct trial *trial, int family, const struct count_run *run)
 {
     const struct yardstick *yardstick = trial->yardstick;
     const struct attempt *failure = &run->failure;
+    enum verdict verdict = any_case_failed(trial) ? VERDICT_NOT_REACHED : failure->verdict;
     for (int i = 0; i < SIZED_CHECKS; i++) {
         struct check_result *check = &trial->checks[sized_checks[i]];
-        check_say(check, failure->verdict, failure->cause, "With the input %s of size %lld: %s",
+        check_say(check, verdict, failure->cause, "With the input %s of size %lld: %s",
                   "Con la entrada %s de tamaño %lld: %s", yardstick->judge->families[family],
                   (long long)yardstick->sizes[run->done], failure->message);
         snprintf(check->message_es, sizeof check->message_es,

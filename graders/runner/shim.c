@@ -34,6 +34,7 @@ _Static_assert(sizeof(struct header) == 16, "blocks stay aligned to 16 bytes");
 
 static struct {
     bool counting;
+    struct header *graveyard; /* freed after the call, not yet given back; linked by `size` */
     int64_t limit_bytes, failing_allocation;
     uint32_t call; /* distinguishes this call's blocks from older ones */
 } state;
@@ -49,8 +50,26 @@ static struct header *header_of(void *block)
     return (struct header *)block - 1;
 }
 
+/* Blocks that are freed after the call stay readable until the next one: a pointer into a block
+ * that went before is then told as no block, and does not crash the runner. */
+static void bury(struct header *header)
+{
+    header->size = (size_t)state.graveyard;
+    state.graveyard = header;
+}
+
+static void empty_graveyard(void)
+{
+    while (state.graveyard) {
+        struct header *header = state.graveyard;
+        state.graveyard = (struct header *)header->size;
+        __real_free((unsigned char *)(header + 1) - header->offset);
+    }
+}
+
 void shim_begin(int64_t limit_bytes, int64_t failing_allocation)
 {
+    empty_graveyard();
     memset(&shim_counts, 0, sizeof shim_counts);
     state.limit_bytes = limit_bytes;
     state.failing_allocation = failing_allocation;
@@ -142,8 +161,10 @@ void __wrap_free(void *block)
     if (!block)
         return;
     unsigned char *real = disown(block, &size);
-    if (real)
+    if (real && state.counting)
         __real_free(real);
+    else if (real)
+        bury(header_of(block));
 }
 
 /* Moves by hand: the real realloc would not know blocks with an offset of more than a header. */
