@@ -1,0 +1,31 @@
+/* A logarithmic axis: its range and the ticks that read well. No drawing here. */
+#ifndef GRADERS_RENDER_AXIS_HPP
+#define GRADERS_RENDER_AXIS_HPP
+
+#include <string>
+#include <vector>
+
+struct tick {
+    double value;
+    std::string label; /* empty for minor ticks */
+};
+
+struct log_axis {
+    double low = 1, high = 10;
+    std::vector<tick> ticks;
+
+    /* Where a value lies, 0 at low and 1 at high. */
+    double place(double value) const;
+};
+
+/* An axis for the values, with a little air on both sides.
+ *
+ * label  names what is measured; one that speaks of bytes gets binary ticks ("64 KB", "1 MB", where
+ *        1 KB = 1024 bytes) */
+log_axis make_axis(const std::vector<double> &values, const std::string &label);
+
+/* An axis whose ticks are these values, when they are few enough to be named one by one; else like
+ * make_axis. For sizes that were chosen, 128, 256, 512, ... */
+log_axis make_axis_of_sizes(const std::vector<double> &values, const std::string &label);
+
+#endif

@@ -1,0 +1,127 @@
+/* See job.hpp. */
+#include "graders/render/job.hpp"
+#include "graders/render/text.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <jansson.h>
+#include <stdexcept>
+
+namespace
+{
+const int side_least = 64, side_most = 4096;
+
+std::string text_at(const json_t *json, const char *key)
+{
+    const json_t *value = json_object_get(json, key);
+    return json_is_string(value) ? std::string(json_string_value(value)) : "";
+}
+
+int integer_at(const json_t *json, const char *key, int otherwise, int least, int most)
+{
+    const json_t *value = json_object_get(json, key);
+    if (!json_is_integer(value))
+        return otherwise;
+    return int(std::clamp<json_int_t>(json_integer_value(value), least, most));
+}
+
+/* A path as seen from the job's folder; empty stays empty. */
+std::string located(const std::filesystem::path &folder, const std::string &path)
+{
+    return path.empty() ? "" : (folder / path).string();
+}
+
+picture_job read_picture(const json_t *json, const std::filesystem::path &folder)
+{
+    picture_job one;
+    one.scene_path = located(folder, text_at(json, "scene"));
+    one.out_path = located(folder, text_at(json, "out"));
+    one.size.width = integer_at(json, "width", one.size.width, side_least, side_most);
+    one.size.height = integer_at(json, "height", one.size.height, side_least, side_most);
+    return one;
+}
+
+sheet_job read_sheet(const json_t *json, const std::filesystem::path &folder)
+{
+    sheet_job one;
+    one.content.title = text_at(json, "title");
+    one.content.subtitle = text_at(json, "subtitle");
+    one.content.columns = integer_at(json, "columns", one.content.columns, 1, 100);
+    one.out_path = located(folder, text_at(json, "out"));
+    const json_t *cells = json_object_get(json, "cells");
+    for (size_t i = 0; i < json_array_size(cells); i++) {
+        const json_t *cell = json_array_get(cells, i);
+        one.content.cells.push_back(
+            {located(folder, text_at(cell, "picture")), text_at(cell, "caption")});
+    }
+    return one;
+}
+
+void make_picture(const picture_job &one)
+{
+    scene shown;
+    image picture;
+    try {
+        read_scene(one.scene_path, shown);
+        picture = draw_scene(shown, one.size);
+    } catch (const not_showable &why) {
+        picture = draw_tile(shown, std::string("Cannot be shown: ") + why.what(), one.size);
+    }
+    write_image(picture, shown.notes, one.out_path);
+}
+
+void make_sheet(const sheet_job &one)
+{
+    image_notes notes;
+    notes.title = one.content.title;
+    write_image(draw_sheet(one.content), notes, one.out_path);
+}
+
+/* Runs one part of the job; a failure is said in a line and counted. */
+template <class make, class part> int attempt(make &&function, const part &one)
+{
+    try {
+        if (one.out_path.empty())
+            throw std::runtime_error("the job names no \"out\"");
+        function(one);
+        return 0;
+    } catch (const std::exception &why) {
+        std::string text = clean_text(why.what(), 300);
+        std::string path = clean_text(one.out_path, 300);
+        std::fprintf(stderr, "meshgrade-render: %s: not drawn: %s\n", path.c_str(), text.c_str());
+        return 1;
+    }
+}
+} // namespace
+
+job read_job(const std::string &path)
+{
+    json_error_t error;
+    json_t *json = json_load_file(path.c_str(), 0, &error);
+    if (!json)
+        throw std::runtime_error(path + ": " + error.text);
+    std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    job work;
+    const json_t *pictures = json_object_get(json, "pictures");
+    for (size_t i = 0; i < json_array_size(pictures); i++)
+        work.pictures.push_back(read_picture(json_array_get(pictures, i), folder));
+    const json_t *sheets = json_object_get(json, "sheets");
+    for (size_t i = 0; i < json_array_size(sheets); i++)
+        work.sheets.push_back(read_sheet(json_array_get(sheets, i), folder));
+    bool is_job = json_is_object(json);
+    json_decref(json);
+    if (!is_job)
+        throw std::runtime_error(path + ": not a job: no object");
+    return work;
+}
+
+int run_job(const job &work)
+{
+    int failures = 0;
+    for (const picture_job &one : work.pictures)
+        failures += attempt(make_picture, one);
+    for (const sheet_job &one : work.sheets)
+        failures += attempt(make_sheet, one);
+    return failures;
+}

@@ -1,0 +1,108 @@
+/* See magnifier.hpp. */
+#include "graders/render/magnifier.hpp"
+#include "graders/render/marks.hpp"
+#include "graders/render/surfaces.hpp"
+
+#include <vtkCamera.h>
+
+static const double corner_top = 84, corner_right = 26;
+
+static double mark_reach(const shape &mesh, const mark &one)
+{
+    vec3 middle = mark_middle(mesh.points, one);
+    double reach = 0;
+    for (int i = 0; i < one.vertex_count(); i++)
+        reach = std::max(reach, length(mesh.points[one.vertex[i]] - middle));
+    return reach;
+}
+
+/* The usual look turned to the side from which the mark is seen. */
+static view look_at_mark(const view &look, vec3 normal)
+{
+    if (dot(normal, look.toward) > .45 || length(normal) == 0)
+        return look;
+    double azimuth = std::atan2(normal.y, normal.x) * 180 / M_PI;
+    double elevation = std::asin(std::clamp(normal.z, -1.0, 1.0)) * 180 / M_PI;
+    return view(azimuth + 12, std::clamp(elevation + 12, -70.0, 75.0));
+}
+
+std::optional<close_up> choose_close_up(const scene &from, const shape &mesh, const view &look)
+{
+    const double small = .035; /* of the mesh's diagonal */
+    for (const mark &one : from.marks) {
+        if (one.kind == boundary)
+            continue;
+        double reach = std::max(mark_reach(mesh, one), 1.2 * mesh.mean_edge);
+        if (reach > small || mesh.triangles.empty())
+            return std::nullopt;
+        return close_up{one, mark_middle(mesh.points, one),
+                        look_at_mark(look, mark_normal(mesh, one)), 2.4 * reach};
+    }
+    return std::nullopt;
+}
+
+static void set_camera(vtkCamera *camera, const close_up &inset)
+{
+    vec3 eye = inset.middle + inset.look.toward;
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(inset.half_width);
+    camera->SetFocalPoint(inset.middle.x, inset.middle.y, inset.middle.z);
+    camera->SetPosition(eye.x, eye.y, eye.z);
+    camera->SetViewUp(inset.look.up.x, inset.look.up.y, inset.look.up.z);
+    /* Near enough that other parts of the mesh do not hide the place. */
+    camera->SetClippingRange(1 - 2.5 * inset.half_width, 1 + 12 * inset.half_width);
+}
+
+static void add_things(vtkRenderer *renderer, const close_up &inset, const scene &from,
+                       const shape &mesh, double scale)
+{
+    double radius = .022 * inset.half_width;
+    renderer->AddActor(surface_actor(mesh.points, mesh.triangles, palette::surface));
+    renderer->AddActor(
+        wire_actor(mesh.points, mesh.edges, .9 * scale, palette::wire.with_alpha(.42)));
+    add_marks(renderer, mesh.points, from.marks, radius, finish::lit);
+}
+
+/* The frame, the vertices' numbers in it, and a line to the place in the big picture. */
+static void draw_frame(paper &sheet, const close_up &inset, const scene &from, const shape &mesh,
+                       point2 place)
+{
+    point2 corner = {sheet.width() - corner_right - close_up_side, corner_top};
+    point2 centre = {corner.x + close_up_side / 2, corner.y + close_up_side / 2};
+    double ring = 9, units = close_up_side / 2 / inset.half_width;
+    colour ink = palette::grey_ink;
+    sheet.circle(place, ring, 3.8, palette::paper);
+    sheet.circle(place, ring, 1.6, ink);
+    point2 end = {corner.x, std::clamp(place.y, corner.y + 12, corner.y + close_up_side - 12)};
+    double reach = std::hypot(end.x - place.x, end.y - place.y);
+    if (end.x > place.x + ring && reach > 0)
+        sheet.line({place.x + (end.x - place.x) * ring / reach,
+                    place.y + (end.y - place.y) * ring / reach},
+                   end, 1.2, ink);
+    const point2 corners[] = {corner,
+                              {corner.x + close_up_side, corner.y},
+                              {corner.x + close_up_side, corner.y + close_up_side},
+                              {corner.x, corner.y + close_up_side}};
+    for (int i = 0; i < 4; i++)
+        sheet.line(corners[i], corners[(i + 1) % 4], 1.6, ink);
+    for (int i = 0; i < inset.shown.vertex_count() && !from.cut; i++) {
+        vec3 offset = mesh.points[inset.shown.vertex[i]] - inset.middle;
+        point2 away = {dot(offset, inset.look.right) * units, -dot(offset, inset.look.up) * units};
+        draw_label(sheet, {centre.x + away.x, centre.y + away.y}, away,
+                   std::to_string(inset.shown.vertex[i]), false);
+    }
+}
+
+void add_close_up(canvas &target, const close_up &inset, const scene &from, const shape &mesh,
+                  const framing &frame)
+{
+    vtkRenderer *renderer =
+        target.add_inset({target.paper_width() - corner_right - close_up_side, corner_top},
+                         close_up_side, close_up_side);
+    set_camera(renderer->GetActiveCamera(), inset);
+    add_things(renderer, inset, from, mesh, target.scale());
+    point2 place = frame.on_paper(inset.middle);
+    target.on_paper([&inset, &from, &mesh, place](paper &sheet) {
+        draw_frame(sheet, inset, from, mesh, place);
+    });
+}

@@ -1,0 +1,111 @@
+/* A mesh with its marks; see pictures.hpp. */
+#include "graders/render/canvas.hpp"
+#include "graders/render/magnifier.hpp"
+#include "graders/render/marks.hpp"
+#include "graders/render/pictures.hpp"
+#include "graders/render/surfaces.hpp"
+#include "graders/render/text.hpp"
+
+#include <optional>
+#include <vtkCamera.h>
+
+namespace
+{
+const size_t labelled_vertices_limit = 36, isolated_limit = 4000;
+
+std::vector<place> marked_places(const shape &mesh, const std::vector<mark> &marks)
+{
+    std::vector<place> out;
+    for (const mark &one : marks)
+        out.push_back(
+            {mark_middle(mesh.points, one), mark_normal(mesh, one), one.kind == boundary ? .1 : 1});
+    return out;
+}
+
+void add_wire(canvas &target, const shape &mesh, double units)
+{
+    double opacity = std::clamp(mesh.mean_edge * units / 28, .07, .45);
+    target.world()->AddActor(wire_actor(mesh.points, mesh.edges, .9 * target.scale(),
+                                        palette::wire.with_alpha(opacity)));
+}
+
+void add_isolated(canvas &target, const shape &mesh, double radius)
+{
+    solids dots;
+    for (size_t i = 0; i < mesh.isolated.size() && i < isolated_limit; i++)
+        dots.ball(mesh.points[mesh.isolated[i]], 1.3 * radius);
+    if (!dots.empty())
+        target.world()->AddActor(dots.actor(palette::grey_ink, finish::lit));
+}
+
+std::vector<legend_entry> legend_of(const scene &from, const shape &mesh, const view &look)
+{
+    std::vector<legend_entry> entries = mark_legend(from);
+    if (!mesh.isolated.empty())
+        entries.push_back(
+            disc_entry("isolated", grouped(int64_t(mesh.isolated.size())), palette::grey_ink));
+    if (mesh.shows_inside && any_turned_away(mesh.points, mesh.triangles, look))
+        entries.push_back(patch_entry("back of a triangle", palette::back_face));
+    for (const mark &one : from.marks)
+        if (dot(mark_normal(mesh, one), look.toward) < 0) {
+            entries.push_back(patch_entry("pale: behind", {236, 216, 222}));
+            break;
+        }
+    return entries;
+}
+
+/* Numbers of the vertices, when they are few. */
+void label_vertices(canvas &target, const shape &mesh, const view &look, const framing &frame)
+{
+    if (mesh.points.size() > labelled_vertices_limit)
+        return;
+    point2 middle = frame.on_paper({0, 0, 0});
+    for (size_t v = 0; v < mesh.points.size(); v++) {
+        point2 at = frame.on_paper(mesh.points[v]);
+        bool hidden = dot(mesh.normals[v], look.toward) < -.15;
+        target.on_paper([=](paper &sheet) {
+            draw_label(sheet, at, {at.x - middle.x, at.y - middle.y}, std::to_string(v), hidden);
+        });
+    }
+}
+
+std::string subtitle_of(const scene &from)
+{
+    return from.cut ? from.subtitle + (from.subtitle.empty() ? "" : "   ") +
+                          "only the neighbourhood of the marks is shown"
+                    : from.subtitle;
+}
+} // namespace
+
+image draw_mesh(const scene &from, picture_size size)
+{
+    if (from.mesh.points.empty())
+        throw not_showable("The mesh is empty: it has no vertices and no triangles.");
+    shape mesh(unit_box(from.mesh.points).apply(from.mesh.points), from.mesh.triangles);
+    canvas target(size.width, size.height, backdrop::gradient);
+    view look =
+        best_view(sample_surface(mesh.points, mesh.triangles), marked_places(mesh, from.marks));
+    std::vector<legend_entry> legend = legend_of(from, mesh, look);
+    std::optional<close_up> inset = choose_close_up(from, mesh, look);
+    margins free = {48, inset ? close_up_side + 56.0 : 48, 84, legend.size() > 5 ? 100.0 : 76.0};
+    vtkCamera *camera = target.world()->GetActiveCamera();
+    framing frame(camera, mesh.points, look, target.paper_width(), free);
+    double radius = mark_radius(mesh, frame.units_at_middle());
+
+    target.world()->AddActor(shadow_actor(mesh.points, mesh.triangles));
+    target.world()->AddActor(surface_actor(mesh.points, mesh.triangles, palette::surface));
+    add_wire(target, mesh, frame.units_at_middle());
+    add_isolated(target, mesh, radius);
+    add_marks(target.world(), mesh.points, from.marks, radius, finish::lit);
+    add_marks(target.front(), mesh.points, from.marks, radius, finish::ghost);
+    if (inset)
+        add_close_up(target, *inset, from, mesh, frame);
+    if (!from.cut)
+        label_vertices(target, mesh, look, frame);
+    target.on_paper([&](paper &sheet) {
+        draw_title(sheet, from.title, subtitle_of(from));
+        draw_legend(sheet, legend);
+        draw_axes(sheet, look);
+    });
+    return target.draw();
+}

@@ -1,0 +1,252 @@
+/* Reading scenes with distrust; see scene.hpp. */
+#include "graders/render/scene.hpp"
+#include "graders/render/text.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <jansson.h>
+#include <memory>
+
+const char *const mark_names[mark_kind_count] = {"missing",  "duplicate", "extra", "degenerate",
+                                                 "boundary", "flipped",   "wrong"};
+
+namespace
+{
+const int64_t vertex_limit = 2000000, triangle_limit = 1000000, strip_limit = 100000;
+const int64_t mark_limit = 1000, curve_limit = 12, point_limit = 10000, voxel_side_limit = 256;
+const uintmax_t file_bytes_limit = 256u << 20;
+const size_t text_bytes_limit = 300;
+
+struct json_releaser {
+    void operator()(json_t *json) const
+    {
+        json_decref(json);
+    }
+};
+
+std::string text_at(const json_t *json, const char *key)
+{
+    const json_t *value = json_object_get(json, key);
+    if (!json_is_string(value))
+        return "";
+    return clean_text({json_string_value(value), json_string_length(value)}, text_bytes_limit);
+}
+
+int64_t integer_at(const json_t *json, const char *key, int64_t largest, const char *what)
+{
+    const json_t *value = json_object_get(json, key);
+    int64_t number = json_is_integer(value) ? json_integer_value(value) : -1;
+    if (number < 0 || number > largest)
+        throw not_showable(std::string(what) + ": " +
+                           (json_is_integer(value)
+                                ? std::to_string(json_integer_value(value)) +
+                                      " is not between 0 and " + std::to_string(largest)
+                                : "not said"));
+    return number;
+}
+
+int digit_of(char c)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const char *at = c ? std::strchr(digits, c) : nullptr;
+    return at ? int(at - digits) : -1;
+}
+
+/* The bytes of a base64 text, which must be exactly `count`. */
+std::vector<uint8_t> bytes_at(const json_t *json, const char *key, size_t count)
+{
+    const json_t *value = json_object_get(json, key);
+    std::string name = key;
+    if (!json_is_string(value) || json_string_length(value) != (count + 2) / 3 * 4)
+        throw not_showable(name + " does not hold " + std::to_string(count) + " bytes");
+    const char *text = json_string_value(value);
+    std::vector<uint8_t> bytes(count);
+    uint32_t group = 0;
+    for (size_t i = 0, out = 0; out < count; i++) {
+        int digit = digit_of(text[i]);
+        if (digit < 0)
+            throw not_showable(name + " is not base64");
+        group = group << 6 | uint32_t(digit);
+        if (i % 4 != 0)
+            bytes[out++] = uint8_t(group >> (6 - 2 * (i % 4)));
+    }
+    return bytes;
+}
+
+std::vector<vec3> points_at(const json_t *json, int64_t count)
+{
+    std::vector<uint8_t> bytes = bytes_at(json, "positions", size_t(count) * 12);
+    std::vector<vec3> points(count);
+    for (int64_t i = 0; i < count; i++) {
+        float xyz[3];
+        std::memcpy(xyz, bytes.data() + 12 * i, 12);
+        if (!std::isfinite(xyz[0]) || !std::isfinite(xyz[1]) || !std::isfinite(xyz[2]))
+            throw not_showable("vertex " + std::to_string(i) + " is not finite");
+        points[i] = {xyz[0], xyz[1], xyz[2]};
+    }
+    return points;
+}
+
+void read_mesh(const json_t *json, scene_mesh &mesh)
+{
+    int64_t vertices = integer_at(json, "vertex_count", vertex_limit, "number of vertices");
+    int64_t count = integer_at(json, "triangle_count", triangle_limit, "number of triangles");
+    mesh.points = points_at(json, vertices);
+    std::vector<uint8_t> bytes = bytes_at(json, "triangles", size_t(count) * 12);
+    mesh.triangles.resize(count);
+    for (int64_t t = 0; t < count; t++) {
+        std::memcpy(mesh.triangles[t].data(), bytes.data() + 12 * t, 12);
+        for (int32_t v : mesh.triangles[t])
+            if (v < 0 || v >= vertices)
+                throw not_showable("triangle " + std::to_string(t) + " names vertex " +
+                                   std::to_string(v) + " of " + std::to_string(vertices));
+    }
+}
+
+/* False for a mark that names no known kind or no vertex of the mesh: it is left out. */
+bool read_mark(const json_t *json, int64_t vertices, mark &out)
+{
+    static const char *const elements[] = {"vertex", "edge", "triangle"};
+    std::string kind = text_at(json, "kind"), what = text_at(json, "element");
+    int k = 0, e = 0;
+    while (k < mark_kind_count && kind != mark_names[k])
+        k++;
+    while (e < 3 && what != elements[e])
+        e++;
+    const json_t *list = json_object_get(json, "vertex");
+    if (k == mark_kind_count || e == 3 || json_array_size(list) != size_t(e) + 1)
+        return false;
+    out = {mark_kind(k), element(e), {0, 0, 0}};
+    for (int i = 0; i <= e; i++) {
+        const json_t *index = json_array_get(list, i);
+        json_int_t v = json_is_integer(index) ? json_integer_value(index) : -1;
+        if (v < 0 || v >= vertices)
+            return false;
+        out.vertex[i] = int32_t(v);
+    }
+    return true;
+}
+
+void read_marks(const json_t *json, scene &out)
+{
+    const json_t *marks = json_object_get(json, "marks");
+    for (size_t i = 0; i < json_array_size(marks) && i < size_t(mark_limit); i++) {
+        mark one;
+        if (read_mark(json_array_get(marks, i), int64_t(out.mesh.points.size()), one))
+            out.marks.push_back(one);
+    }
+    const json_t *counts = json_object_get(json, "mark_counts");
+    for (int k = 0; k < mark_kind_count; k++)
+        out.mark_counts[k] =
+            std::max<int64_t>(0, json_integer_value(json_object_get(counts, mark_names[k])));
+    const json_t *ok = json_object_get(json, "ok_count");
+    out.ok_count = json_is_integer(ok) ? json_integer_value(ok) : -1;
+}
+
+void read_strips(const json_t *json, scene &out)
+{
+    const json_t *strips = json_object_get(json, "strips");
+    if (json_array_size(strips) > size_t(strip_limit))
+        throw not_showable("more strips than a picture can show");
+    int64_t left = vertex_limit;
+    for (size_t i = 0; i < json_array_size(strips); i++) {
+        const json_t *strip = json_array_get(strips, i);
+        int64_t count = integer_at(strip, "vertex_count", left, "vertices of a strip");
+        left -= count;
+        out.strips.push_back(points_at(strip, count));
+    }
+}
+
+void read_voxels(const json_t *json, scene &out)
+{
+    const json_t *voxels = json_object_get(json, "voxels");
+    int64_t side = integer_at(voxels, "per_side", voxel_side_limit, "voxels a side");
+    out.voxel_bits = bytes_at(voxels, "bits", size_t((side * side * side + 7) / 8));
+    out.voxels_per_side = int(side);
+}
+
+std::vector<double> numbers_at(const json_t *json, const char *key)
+{
+    const json_t *list = json_object_get(json, key);
+    if (json_array_size(list) > size_t(point_limit))
+        throw not_showable("more points than a chart can show");
+    std::vector<double> numbers;
+    for (size_t i = 0; i < json_array_size(list); i++)
+        numbers.push_back(json_number_value(json_array_get(list, i)));
+    return numbers;
+}
+
+/* Points without a place on logarithmic axes are left out. */
+void read_curves(const json_t *json, scene &out)
+{
+    const json_t *curves = json_object_get(json, "curves");
+    for (size_t i = 0; i < json_array_size(curves) && i < size_t(curve_limit); i++) {
+        const json_t *from = json_array_get(curves, i);
+        curve to;
+        to.name = text_at(from, "name");
+        to.exponent = json_number_value(json_object_get(from, "exponent"));
+        std::vector<double> x = numbers_at(from, "x"), y = numbers_at(from, "y");
+        if (x.size() != y.size())
+            throw not_showable("curve \"" + to.name + "\" has " + std::to_string(x.size()) +
+                               " x and " + std::to_string(y.size()) + " y");
+        for (size_t p = 0; p < x.size(); p++)
+            if (x[p] > 0 && y[p] > 0 && std::isfinite(x[p]) && std::isfinite(y[p])) {
+                to.x.push_back(x[p]);
+                to.y.push_back(y[p]);
+            }
+        out.curves.push_back(to);
+    }
+    out.x_label = text_at(json, "x_label");
+    out.y_label = text_at(json, "y_label");
+}
+
+void read_notes(const json_t *json, scene &out)
+{
+    static const char *const keys[] = {"exercise", "case", "verdict", "seed", "student"};
+    out.title = text_at(json, "title");
+    out.subtitle = text_at(json, "subtitle");
+    out.notes.title = out.title;
+    const json_t *metadata = json_object_get(json, "metadata");
+    for (const char *key : keys) {
+        std::string text = text_at(metadata, key);
+        if (!text.empty())
+            out.notes.metadata[key] = text;
+    }
+}
+
+scene_kind kind_of(const json_t *json)
+{
+    static const char *const names[] = {"none", "mesh", "strips", "voxels", "chart"};
+    std::string name = text_at(json, "kind");
+    for (int k = 0; k < 5; k++)
+        if (name == names[k])
+            return scene_kind(k);
+    throw not_showable("no known kind of scene: \"" + name + "\"");
+}
+} // namespace
+
+void read_scene(const std::string &path, scene &out)
+{
+    std::error_code failed;
+    uintmax_t bytes = std::filesystem::file_size(path, failed);
+    if (failed || bytes > file_bytes_limit)
+        throw std::runtime_error(path + ": " +
+                                 (failed ? failed.message() : "bigger than any scene"));
+    json_error_t error;
+    std::unique_ptr<json_t, json_releaser> json(json_load_file(path.c_str(), 0, &error));
+    if (!json || !json_is_object(json.get()))
+        throw std::runtime_error(path + ": not a scene: " + (json ? "no object" : error.text));
+    read_notes(json.get(), out);
+    out.kind = kind_of(json.get());
+    out.cut = json_is_true(json_object_get(json.get(), "cut"));
+    if (const json_t *mesh = json_object_get(json.get(), "mesh"))
+        read_mesh(mesh, out.mesh);
+    read_marks(json.get(), out);
+    if (out.kind == scene_kind::strips)
+        read_strips(json.get(), out);
+    if (out.kind == scene_kind::voxels)
+        read_voxels(json.get(), out);
+    if (out.kind == scene_kind::chart)
+        read_curves(json.get(), out);
+}

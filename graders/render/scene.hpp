@@ -1,0 +1,76 @@
+/* A scene as it stands in its file, checked: README.md has the format. */
+#ifndef GRADERS_RENDER_SCENE_HPP
+#define GRADERS_RENDER_SCENE_HPP
+
+#include "graders/render/image.hpp"
+#include "graders/render/vec.hpp"
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+enum class scene_kind { none, mesh, strips, voxels, chart };
+enum mark_kind { missing, duplicate, extra, degenerate, boundary, flipped, wrong, mark_kind_count };
+enum class element { at_vertex, at_edge, at_triangle };
+
+extern const char *const mark_names[mark_kind_count];
+
+struct mark {
+    mark_kind kind;
+    element what;
+    int32_t vertex[3];
+
+    int vertex_count() const
+    {
+        return int(what) + 1;
+    }
+};
+
+struct scene_mesh {
+    std::vector<vec3> points;
+    std::vector<triangle> triangles;
+};
+
+struct curve {
+    std::string name;
+    std::vector<double> x, y; /* as many, all positive and finite */
+    double exponent = 0;      /* 0: none was fitted */
+};
+
+struct scene {
+    scene_kind kind = scene_kind::none;
+    std::string title, subtitle;
+    scene_mesh mesh;
+    std::vector<mark> marks; /* every index is within the mesh */
+    int64_t mark_counts[mark_kind_count] = {};
+    int64_t ok_count = -1; /* -1: not said */
+    bool cut = false;
+    std::vector<std::vector<vec3>> strips;
+    int voxels_per_side = 0;
+    std::vector<uint8_t> voxel_bits;
+    std::vector<curve> curves;
+    std::string x_label, y_label;
+    image_notes notes;
+
+    bool voxel(int x, int y, int z) const /* false outside */
+    {
+        if (x < 0 || y < 0 || z < 0 || x >= voxels_per_side || y >= voxels_per_side ||
+            z >= voxels_per_side)
+            return false;
+        size_t bit = x + size_t(voxels_per_side) * (y + size_t(voxels_per_side) * z);
+        return voxel_bits[bit / 8] >> bit % 8 & 1;
+    }
+};
+
+/* The scene has no picture, but its title and notes are known: a tile can say why. */
+struct not_showable : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/* Reads a scene; its file may hold anything. `out` gets what could be read even when it throws.
+ * Throws not_showable (sizes that lie, indices out of range, coordinates that are not finite, more
+ * than a picture can show) or std::runtime_error (no file, not JSON). */
+void read_scene(const std::string &path, scene &out);
+
+#endif

@@ -1,0 +1,154 @@
+/* Strips in turn colours, with the order of their vertices; see pictures.hpp. */
+#include "graders/render/canvas.hpp"
+#include "graders/render/marks.hpp"
+#include "graders/render/pictures.hpp"
+#include "graders/render/surfaces.hpp"
+#include "graders/render/text.hpp"
+
+#include <iterator>
+#include <vtkCamera.h>
+
+namespace
+{
+const int colour_count = int(std::size(palette::strips));
+
+/* All strips in one numbering, with the scene's mesh (what the marks name) after them. */
+struct strip_set {
+    std::vector<vec3> points;
+    std::vector<size_t> first; /* of strip s; one more at the end */
+    std::vector<triangle> triangles[colour_count];
+    std::vector<edge> rungs;  /* the zigzag through the vertices in their order */
+    std::vector<vec3> marked; /* the scene's mesh in the same box */
+    size_t triangle_count = 0;
+};
+
+strip_set collect(const scene &from)
+{
+    strip_set set;
+    for (const std::vector<vec3> &strip : from.strips) {
+        set.first.push_back(set.points.size());
+        set.points.insert(set.points.end(), strip.begin(), strip.end());
+    }
+    set.first.push_back(set.points.size());
+    std::vector<vec3> all = set.points;
+    all.insert(all.end(), from.mesh.points.begin(), from.mesh.points.end());
+    unit_box box(all);
+    set.points = box.apply(set.points);
+    set.marked = box.apply(from.mesh.points);
+    std::vector<int32_t> place = same_places(set.points);
+    for (size_t s = 0; s + 1 < set.first.size(); s++)
+        for (size_t i = set.first[s]; i + 1 < set.first[s + 1]; i++) {
+            set.rungs.push_back({int32_t(i), int32_t(i + 1)});
+            if (i + 2 >= set.first[s + 1])
+                continue;
+            bool odd = (i - set.first[s]) % 2 == 1;
+            triangle t = {place[i], place[i + (odd ? 2 : 1)], place[i + (odd ? 1 : 2)]};
+            if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+                continue;
+            set.triangles[s % colour_count].push_back(t);
+            set.triangle_count++;
+        }
+    return set;
+}
+
+std::vector<triangle> all_triangles(const strip_set &set)
+{
+    std::vector<triangle> all;
+    for (const auto &triangles : set.triangles)
+        all.insert(all.end(), triangles.begin(), triangles.end());
+    return all;
+}
+
+/* The way along each strip: from middle to middle of its rungs, with a ball where it starts and a
+ * cone where it ends. */
+void add_ways(canvas &target, const strip_set &set, double radius, vec3 lift)
+{
+    solids ways;
+    for (size_t s = 0; s + 1 < set.first.size(); s++) {
+        std::vector<vec3> middles;
+        for (size_t i = set.first[s]; i + 1 < set.first[s + 1]; i++)
+            middles.push_back((set.points[i] + set.points[i + 1]) * .5 + lift);
+        if (middles.size() < 2)
+            continue;
+        vec3 end = middles.back(), before = middles[middles.size() - 2];
+        double head = std::min(7 * radius, .9 * length(end - before));
+        vec3 neck = end - normalised(end - before) * head;
+        middles.back() = neck;
+        ways.ball(middles[0], 2.2 * radius);
+        for (size_t i = 1; i < middles.size(); i++)
+            ways.tube(middles[i - 1], middles[i], .62 * radius);
+        ways.cone(neck, end, 2.6 * radius);
+    }
+    if (!ways.empty())
+        target.world()->AddActor(ways.actor(palette::ink, finish::lit));
+}
+
+std::vector<legend_entry> legend_of(const scene &from, const strip_set &set, bool shows_backs)
+{
+    std::vector<legend_entry> entries;
+    entries.push_back({"strips in turn", grouped(int64_t(from.strips.size())),
+                       [](paper &sheet, point2 at, double width) {
+                           for (int i = 0; i < colour_count; i++)
+                               sheet.rectangle(
+                                   {at.x - width / 2 + width * i / colour_count, at.y - 6},
+                                   width / colour_count, 12, palette::strips[i]);
+                       }});
+    entries.push_back(
+        {"triangles", grouped(int64_t(set.triangle_count)), [](paper &sheet, point2 at, double) {
+             sheet.polygon({{at.x - 8, at.y + 6}, {at.x + 8, at.y + 6}, {at.x, at.y - 7}},
+                           palette::strips[0]);
+         }});
+    entries.push_back(
+        {"order", "",
+         [](paper &sheet, point2 at, double width) {
+             sheet.line({at.x - width / 2 + 3, at.y}, {at.x + 5, at.y}, 2, palette::ink);
+             sheet.disc({at.x - width / 2 + 3, at.y}, 3.6, palette::ink);
+             sheet.polygon(
+                 {{at.x + 4, at.y - 5}, {at.x + 4, at.y + 5}, {at.x + width / 2 + 1, at.y}},
+                 palette::ink);
+         },
+         true});
+    for (legend_entry &entry : mark_legend(from))
+        entries.push_back(entry);
+    if (shows_backs)
+        entries.push_back(patch_entry("back of a triangle", palette::back_face));
+    return entries;
+}
+} // namespace
+
+image draw_strips(const scene &from, picture_size size)
+{
+    strip_set set = collect(from);
+    if (set.points.empty())
+        throw not_showable("There are no strips: the answer has no vertices.");
+    canvas target(size.width, size.height, backdrop::gradient);
+    std::vector<triangle> all = all_triangles(set);
+    view look = best_view(sample_surface(set.points, all), {});
+    std::vector<legend_entry> legend = legend_of(from, set, any_turned_away(set.points, all, look));
+    framing frame(target.world()->GetActiveCamera(), set.points, look, target.paper_width(),
+                  {48, 48, 84, legend.size() > 5 ? 100.0 : 76.0});
+    double spacing = set.rungs.empty() ? .1 : 0;
+    for (const edge &rung : set.rungs)
+        spacing += length(set.points[rung[1]] - set.points[rung[0]]) / double(set.rungs.size());
+    double units = frame.units_at_middle();
+    double radius = std::clamp(.06 * spacing, .7 / units, 3.0 / units);
+
+    for (int c = 0; c < colour_count; c++)
+        if (!set.triangles[c].empty())
+            target.world()->AddActor(
+                surface_actor(set.points, set.triangles[c], palette::strips[c]));
+    target.world()->AddActor(shadow_actor(set.points, all));
+    double opacity = std::clamp(spacing * units / 28, .1, .5);
+    target.world()->AddActor(
+        wire_actor(set.points, set.rungs, 1.1 * target.scale(), palette::wire.with_alpha(opacity)));
+    if (spacing * units > 7)
+        add_ways(target, set, radius, look.toward * (1.5 * radius));
+    add_marks(target.world(), set.marked, from.marks, radius * 1.3, finish::lit);
+    add_marks(target.front(), set.marked, from.marks, radius * 1.3, finish::ghost);
+    target.on_paper([&](paper &sheet) {
+        draw_title(sheet, from.title, from.subtitle);
+        draw_legend(sheet, legend);
+        draw_axes(sheet, look);
+    });
+    return target.draw();
+}

@@ -1,0 +1,77 @@
+/* Tiles for what cannot be drawn, and the choice between all kinds; see pictures.hpp. */
+#include "graders/render/canvas.hpp"
+#include "graders/render/overlay.hpp"
+#include "graders/render/pictures.hpp"
+
+/* Splits a text into lines that fit; a word that does not is cut with an ellipsis. */
+static std::vector<std::string> wrapped(paper &sheet, const std::string &words, const font &style,
+                                        double width)
+{
+    std::vector<std::string> lines;
+    std::string line;
+    for (size_t at = 0; at < words.size();) {
+        size_t end = std::min(words.find(' ', at), words.size());
+        std::string word = words.substr(at, end - at);
+        std::string longer = line.empty() ? word : line + " " + word;
+        if (!line.empty() && sheet.text_width(longer, style) > width) {
+            lines.push_back(sheet.fitting(line, style, width));
+            longer = word;
+        }
+        line = longer;
+        at = end + 1;
+    }
+    lines.push_back(sheet.fitting(line, style, width));
+    return lines;
+}
+
+image draw_tile(const scene &from, const std::string &sentence, picture_size size)
+{
+    canvas target(size.width, size.height, backdrop::gradient);
+    target.on_paper([&](paper &sheet) {
+        draw_title(sheet, from.title, from.subtitle);
+        const font style = {18, weight::regular, palette::grey_ink};
+        const double line_height = 28, icon = 30;
+        double middle = sheet.width() / 2;
+        std::vector<std::string> lines = wrapped(sheet, sentence, style, sheet.width() * .7);
+        double y = sheet.height() / 2 - line_height * double(lines.size()) / 2 + 30;
+        point2 centre = {middle, y - 70};
+        const point2 corners[] = {{centre.x - icon, centre.y + icon * .8},
+                                  {centre.x + icon, centre.y + icon * .8},
+                                  {centre.x, centre.y - icon}};
+        for (int i = 0; i < 3; i++)
+            sheet.dashed(corners[i], corners[(i + 1) % 3], 2.4, 7, 7, palette::pale_ink);
+        for (point2 corner : corners)
+            sheet.disc(corner, 4.2, palette::pale_ink);
+        for (const std::string &line : lines) {
+            sheet.text({middle, y}, line, style, align::centre);
+            y += line_height;
+        }
+    });
+    return target.draw();
+}
+
+static image draw_kind(const scene &from, picture_size size)
+{
+    switch (from.kind) {
+    case scene_kind::mesh:
+        return draw_mesh(from, size);
+    case scene_kind::strips:
+        return draw_strips(from, size);
+    case scene_kind::voxels:
+        return draw_voxels(from, size);
+    case scene_kind::chart:
+        return draw_chart(from, size);
+    case scene_kind::none:
+        break;
+    }
+    throw not_showable("Nothing to show: the answer is a number.");
+}
+
+image draw_scene(const scene &from, picture_size size)
+{
+    try {
+        return draw_kind(from, size);
+    } catch (const not_showable &why) {
+        return draw_tile(from, why.what(), size);
+    }
+}
