@@ -151,7 +151,7 @@ int box_give_folder(const char *path, struct error *err) MUST_CHECK;
  *   - seccomp is not active and the caller did not disable it by name,
  *   - TOOLS or BUILD would see the host's files: neither private root nor Landlock is active, and
  * the caller did not disable both by name,
- *   - the program would run as root of the host.
+ *   - the program would run with root's capabilities.
  * Costs about 2 ms. The box ends when the calling thread ends. Do not reap boxes with wait(). */
 int box_start(const struct box_plan *plan, struct box *box, struct error *err) MUST_CHECK;
 

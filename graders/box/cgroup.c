@@ -92,6 +92,19 @@ static int find_parent(const char *controller, char *out, size_t capacity)
     return access(out, F_OK);
 }
 
+/* Once a process: what is left can only be of earlier ones. */
+static void sweep_once(void)
+{
+    static const char *const controllers[] = {"", "memory", "pids", "cpuacct"};
+    static atomic_int swept_by;
+    char parent[PATH_BYTES];
+    if (atomic_exchange(&swept_by, getpid()) == getpid())
+        return;
+    for (size_t i = 0; i < sizeof controllers / sizeof controllers[0]; i++)
+        if (find_parent(controllers[i], parent, sizeof parent) == 0)
+            sweep(parent);
+}
+
 /* Makes a group. Leaves `out` empty when it cannot, with errno. */
 static int make_group(const char *controller, char *out)
 {
@@ -100,8 +113,6 @@ static int make_group(const char *controller, char *out)
     if (find_parent(controller, parent, sizeof parent))
         return -1;
     unsigned number = atomic_fetch_add(&sequence, 1);
-    if (number < 4)
-        sweep(parent);
     int length = snprintf(out, PATH_BYTES, "%s/%s%d.%u", parent, group_prefix, getpid(), number);
     if (length >= PATH_BYTES || mkdir(out, 0755)) {
         int error = length >= PATH_BYTES ? ENAMETOOLONG : errno;
@@ -189,6 +200,7 @@ void cgroup_make(const struct box_plan *plan, struct box *box)
     uint32_t all = 1u << BOX_CGROUP_MEMORY | 1u << BOX_CGROUP_PIDS | 1u << BOX_CGROUP_CPU;
     if ((plan->disabled_layers & all) == all)
         return;
+    sweep_once();
     if (access("/sys/fs/cgroup/cgroup.controllers", F_OK) == 0) {
         make_version_2(plan, box);
         return;

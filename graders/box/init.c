@@ -119,7 +119,8 @@ static void become_inner_user(struct inside *inside)
     if (inside->other_user)
         layer_works(&inside->report, BOX_OTHER_USER);
     else if (layer_wanted(inside->plan, BOX_OTHER_USER))
-        layer_fails(&inside->report, BOX_OTHER_USER, "the engine has no other user id to give", 0);
+        layer_fails(&inside->report, BOX_OTHER_USER,
+                    "the engine has no second user id to give (it is not root)", 0);
 }
 
 /* Without a user namespace: root gives up its id for good. */

@@ -101,8 +101,10 @@ static const char *missing_layer(const struct inside *inside)
     const struct report *report = &inside->report;
     if (layer_wanted(plan, BOX_SECCOMP) && !layer_active(report, BOX_SECCOMP))
         return report->reason[BOX_SECCOMP];
-    if (getuid() == 0)
-        return "the program would run as root: no other user id and no user namespace";
+    /* A root that has no other id, as in a container of one user: harmless without capabilities,
+     * and no_new_privs keeps exec from giving them back. */
+    if (getuid() == 0 && !layer_active(report, BOX_NO_NEW_PRIVILEGES))
+        return "the program would run with root's capabilities";
     bool may_see_host =
         !layer_wanted(plan, BOX_LANDLOCK) &&
         !(layer_wanted(plan, BOX_PRIVATE_ROOT) && layer_wanted(plan, BOX_MOUNT_NAMESPACE));
