@@ -87,7 +87,7 @@ $(BUILD)/meshgrade: $(COMMAND_OBJECTS) $(BUILD)/libmeshgrade.a
 
 $(BUILD)/libmeshgrade.a: $(LIBRARY_OBJECTS)
 	@rm -f $@
-	@ar crs $@ $^
+	@ar qcs $@ $^ 2>/dev/null
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -174,6 +174,59 @@ $(UNIT_TESTS): $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(UNIT_SUPPORT) $(
 unit: $(UNIT_TESTS) $(RUNNERS) ## build and run the unit tests
 	@failed=0; for t in $(UNIT_TESTS); do echo "== $$t"; $$t || failed=1; done; exit $$failed
 
+test: all $(UNIT_TESTS) replays golden ## every test; ends with "N passed, N failed, N skipped"
+	@tests/run $(BUILD)
+
+validate: all ## every known-verdict submission gets its verdict
+	@build/meshgrade validate
+
+# ---------------------------------------------------------------- the demonstration
+demo: all ## grade a class of real submissions; the report is build/demo/index.html
+	@tests/demo-class.sh build/demo-class
+	@code=0; build/meshgrade grade build/demo-class/folders build/demo-class/*.zip build/demo-class/*.tar.gz \
+	  -o build/demo || code=$$?; [ $$code -le 1 ]
+
+bench-grader: all ## what a verdict costs, and where the time goes
+	@tests/bench-grader.sh
+
+RUNS ?= 5
+stability: all ## grade the demo class RUNS times under load and other surroundings; counts what differs
+	@tests/stability.sh $(RUNS)
+
+# ---------------------------------------------------------------- source checks
+C_FILES = $(shell git ls-files '*.c' '*.h' 2>/dev/null | grep -v '^tests/submissions/')
+CXX_FILES = $(shell git ls-files '*.cpp' '*.hpp' 2>/dev/null)
+LINT_SOURCES = $(filter %.c,$(LIBRARY_SOURCES) graders/meshgrade.c $(wildcard graders/commands/*.c))
+
+lint: all ## clang-format, clang-tidy, cppcheck, gcc -fanalyzer
+	@clang-format --dry-run -Werror $(C_FILES) $(CXX_FILES)
+	@clang-tidy --quiet $(LINT_SOURCES) -- $(CFLAGS) 2>/dev/null
+	@cppcheck --quiet --error-exitcode=1 --enable=warning,portability --inline-suppr -I. \
+	  --suppress=internalAstError $(LINT_SOURCES)
+	@for f in $(LINT_SOURCES); do $(CC) $(CFLAGS) -Werror -fanalyzer -c $$f -o /dev/null; done
+
+format: ## lay out every C and C++ file
+	@clang-format -i $(C_FILES) $(CXX_FILES)
+
+# ---------------------------------------------------------------- fuzzing
+TIME ?= 60
+FUZZERS = $(patsubst tests/fuzz/%.c,build/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
+build/fuzz/%: tests/fuzz/%.c $(LIBRARY_SOURCES)
+	@mkdir -p $(@D)
+	clang -std=c17 -D_GNU_SOURCE -I. -O1 -g -fsanitize=fuzzer,address,undefined $< \
+	  $(filter reference/% bench/% graders/engine/% graders/judges/%.c graders/report/clean.c,$(LIBRARY_SOURCES)) \
+	  graders/runner/packet.c $(wildcard graders/box/*.c) $(BUILD)/judge-table.c -o $@ $(LDLIBS)
+fuzz: $(BUILD)/judge-table.c $(FUZZERS) ## fuzz every parser for TIME seconds each
+	@for f in $(FUZZERS); do name=$$(basename $$f); mkdir -p build/fuzz/corpus/$$name; \
+	  echo "== $$name"; $$f -max_total_time=$(TIME) -max_len=65536 -print_final_stats=0 build/fuzz/corpus/$$name \
+	  tests/fuzz/corpus/$${name#fuzz_} 2>&1 | tail -n 2; done
+
+# The corpora once more in every test run, by a plain main instead of libFuzzer.
+REPLAYS := $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
+$(REPLAYS): $(BUILD)/tests/fuzz/%: $(BUILD)/tests/fuzz/%.o $(BUILD)/tests/fuzz/replay.o $(BUILD)/libmeshgrade.a
+	$(CC) $(MODE) $^ -o $@ $(LDLIBS)
+replays: $(REPLAYS)
+
 deps: ## install the Debian packages that the build, the demo and the tests need
 	@echo "meshgrade: every package is installed"
 
@@ -184,5 +237,5 @@ help: ## this list
 	@echo "make [goal] [config=release|debug|asan|coverage]"
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
 
-.PHONY: all unit deps clean help
+.PHONY: all unit test validate demo bench-grader stability lint format fuzz replays golden deps clean help
 -include $(shell find build -name '*.d' 2>/dev/null)
