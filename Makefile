@@ -210,10 +210,11 @@ format: ## lay out every C and C++ file
 
 # ---------------------------------------------------------------- fuzzing
 TIME ?= 60
+FUZZ_SUPPORT := $(filter-out tests/fuzz/replay.c $(wildcard tests/fuzz/fuzz_*.c),$(wildcard tests/fuzz/*.c))
 FUZZERS = $(patsubst tests/fuzz/%.c,build/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
 build/fuzz/%: tests/fuzz/%.c $(LIBRARY_SOURCES)
 	@mkdir -p $(@D)
-	clang -std=c17 -D_GNU_SOURCE -I. -O1 -g -fsanitize=fuzzer,address,undefined $< \
+	clang -std=c17 -D_GNU_SOURCE -I. -O1 -g -fsanitize=fuzzer,address,undefined $< $(FUZZ_SUPPORT) \
 	  $(filter reference/% bench/% graders/engine/% graders/judges/%.c graders/report/clean.c,$(LIBRARY_SOURCES)) \
 	  graders/runner/packet.c $(wildcard graders/box/*.c) $(BUILD)/judge-table.c -o $@ $(LDLIBS)
 fuzz: $(BUILD)/judge-table.c $(FUZZERS) ## fuzz every parser for TIME seconds each
@@ -223,7 +224,8 @@ fuzz: $(BUILD)/judge-table.c $(FUZZERS) ## fuzz every parser for TIME seconds ea
 
 # The corpora once more in every test run, by a plain main instead of libFuzzer.
 REPLAYS := $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
-$(REPLAYS): $(BUILD)/tests/fuzz/%: $(BUILD)/tests/fuzz/%.o $(BUILD)/tests/fuzz/replay.o $(BUILD)/libmeshgrade.a
+$(REPLAYS): $(BUILD)/tests/fuzz/%: $(BUILD)/tests/fuzz/%.o $(BUILD)/tests/fuzz/replay.o \
+  $(FUZZ_SUPPORT:%.c=$(BUILD)/%.o) $(BUILD)/libmeshgrade.a
 	$(CC) $(MODE) $^ -o $@ $(LDLIBS)
 replays: $(REPLAYS)
 

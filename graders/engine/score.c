@@ -90,7 +90,24 @@ static json_t *engine_json(const struct trial *trial)
 
 /* ------------------------------------------------------------ cases, classes */
 
-static json_t *case_json(struct trial *trial, size_t index, const char *student_folder,
+/* Says in the scene what it shows; the renderer writes it into the picture. */
+static void describe_scene(const struct trial *trial, size_t index, const char *seed,
+                           const char *student)
+{
+    const struct judge_case *c = &trial->yardstick->judge->cases[index];
+    const struct exercise *exercise = trial->yardstick->exercise;
+    const struct attempt *attempt = &trial->cases[index].attempt;
+    char title[400];
+    snprintf(title, sizeof title, "%s: %s", exercise->title.english, c->name);
+    json_object_set_new(attempt->scene, "title", json_string(title));
+    json_object_set_new(attempt->scene, "subtitle", json_string(attempt->message));
+    json_object_set_new(attempt->scene, "metadata",
+                        json_pack("{s:s, s:s, s:s, s:s, s:s}", "exercise", exercise->name, "case",
+                                  c->name, "verdict", verdict_name(attempt->verdict), "seed", seed,
+                                  "student", student));
+}
+
+static json_t *case_json(struct trial *trial, size_t index, const struct submitter *submitter,
                          json_t *scenes)
 {
     const struct judge_case *c = &trial->yardstick->judge->cases[index];
@@ -108,10 +125,11 @@ static json_t *case_json(struct trial *trial, size_t index, const char *student_
     if (rejected)
         json_object_set_new(json, "element", json_string(attempt->element));
     if (rejected && attempt->scene) {
-        snprintf(picture, sizeof picture, "pictures/%s/%s/%s.png", student_folder, exercise,
-                 c->name);
+        snprintf(picture, sizeof picture, "pictures/%s/%s/%s.png", submitter->student_folder,
+                 exercise, c->name);
         json_object_set_new(json, "scene", json_true());
         json_object_set_new(json, "picture", json_string(picture));
+        describe_scene(trial, index, seed, submitter->student);
         json_object_set(scenes, c->name, attempt->scene);
     }
     return json;
