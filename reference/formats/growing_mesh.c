@@ -66,7 +66,9 @@ static void *fitted(void *table, int64_t count)
         return NULL;
     }
     void *smaller = realloc(table, 12 * (size_t)count);
-    return smaller ? smaller : table;
+    if (smaller)
+        return smaller;
+    return table;
 }
 
 void growing_mesh_finish(struct growing_mesh *mesh, struct mesh *to)

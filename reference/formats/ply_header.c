@@ -236,7 +236,8 @@ static int check_element(const struct scan *scan, const struct ply_header *heade
     /* The last line of a text may lack its end. */
     size_t room = scan_left(scan) + (header->encoding == PLY_ASCII);
     size_t least = least_row_bytes(header, element);
-    if (element->count > 0 && (uint64_t)element->count > room / least)
+    uint64_t rows = (uint64_t)element->count;
+    if (rows > room || rows * least > room)
         return scan_error_at(scan, element->line,
                              "%s count %lld is more than the file can hold (it has %zu bytes): "
                              "the header lies or the file is cut",

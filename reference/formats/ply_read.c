@@ -115,7 +115,7 @@ static int read_value(struct reader *r, enum ply_type type, const char *what, do
 
 static int read_list_length(struct reader *r, enum ply_type type, int64_t *length)
 {
-    double value;
+    double value = 0.0;
     if (read_value(r, type, "the length of the list", &value))
         return -1;
     if (value < 0)
@@ -145,7 +145,7 @@ static int skip_property(struct reader *r, const struct ply_property *property)
 static int read_coordinate(struct reader *r, const struct ply_property *property, float *to)
 {
     static const char *const what[] = {"x", "y", "z"};
-    double value;
+    double value = 0.0;
     if (read_value(r, property->type, what[property->role - PLY_X], &value))
         return -1;
     *to = (float)value;
@@ -182,7 +182,7 @@ static int read_polygon(struct reader *r, const struct ply_property *property)
                           (long long)r->row, (long long)length);
     struct polygon polygon = {0};
     for (int64_t corner = 0; corner < length; corner++) {
-        double value;
+        double value = 0.0;
         if (read_value(r, property->type, "the index of a vertex", &value))
             return -1;
         /* Written so that NaN fails too. */

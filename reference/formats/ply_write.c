@@ -37,12 +37,12 @@ static void write_binary(FILE *out, const struct mesh *mesh, bool is_big_endian)
 {
     unsigned char row[13] = {3};
     for (int64_t v = 0; v < mesh->vertex_count; v++) {
-        for (int axis = 0; axis < 3; axis++)
+        for (size_t axis = 0; axis < 3; axis++)
             put_word(row + 1 + 4 * axis, mesh->positions + 3 * v + axis, is_big_endian);
         fwrite(row + 1, 1, 12, out);
     }
     for (int64_t t = 0; t < mesh->triangle_count; t++) {
-        for (int corner = 0; corner < 3; corner++)
+        for (size_t corner = 0; corner < 3; corner++)
             put_word(row + 1 + 4 * corner, mesh->triangles + 3 * t + corner, is_big_endian);
         fwrite(row, 1, 13, out);
     }

@@ -95,8 +95,9 @@ bool scan_token(struct scan *scan, struct token *token)
 void scan_end_line(struct scan *scan)
 {
     struct token ignored;
-    while (scan_token(scan, &ignored))
-        continue;
+    bool goes_on = true;
+    while (goes_on)
+        goes_on = scan_token(scan, &ignored);
     size_t end = line_end_length(scan, scan->at);
     if (end > 0) {
         if (scan->line == 1 && end == 1 && scan->bytes[scan->at] == '\r')
@@ -165,13 +166,14 @@ bool token_is(const struct token *token, const char *text)
 struct quoted quote_token(const struct token *token)
 {
     struct quoted quoted = {""};
-    size_t shown = token->length > 40 ? 40 : token->length;
-    for (size_t i = 0; i < shown; i++) {
-        char c = token->text[i];
-        quoted.text[i] = c >= ' ' && c <= '~' ? c : '?';
+    const size_t most = 40;
+    for (size_t i = 0; i < token->length && i < most; i++) {
+        quoted.text[i] = token->text[i];
+        if (token->text[i] < ' ' || token->text[i] > '~')
+            quoted.text[i] = '?';
     }
-    if (token->length > shown)
-        memcpy(quoted.text + shown, "...", 4);
+    if (token->length > most)
+        memcpy(quoted.text + most, "...", 4);
     return quoted;
 }
 

@@ -25,8 +25,9 @@ static int orders_init(struct orders *o, const struct mesh *mesh, struct error *
     if (o->vertex_number && o->triangle_place)
         return 0;
     orders_release(o);
-    return error_set(err, "out of memory: reordering %d vertices and %d triangles",
-                     mesh->vertex_count, mesh->triangle_count);
+    error_set(err, "out of memory: reordering %d vertices and %d triangles", mesh->vertex_count,
+              mesh->triangle_count);
+    return -1;
 }
 
 /* Applies the orders and turns each triangle to start at a random corner. */

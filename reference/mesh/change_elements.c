@@ -80,7 +80,7 @@ int change_add_isolated_vertices(struct mesh *mesh, int64_t count, uint64_t seed
     if (check_count(count, INT32_MAX / 3, "adding isolated vertices", err) ||
         make_grown(&made, mesh, count, 0, err))
         return -1;
-    int32_t *number = malloc((size_t)mesh->vertex_count * sizeof *number + 1);
+    int32_t *number = calloc((size_t)mesh->vertex_count + 1, sizeof *number);
     if (!number) {
         mesh_release(&made);
         return error_set(err, "out of memory: numbering %d vertices", mesh->vertex_count);
@@ -140,7 +140,7 @@ int change_add_degenerate_triangles(struct mesh *mesh, int64_t count, uint64_t s
 {
     struct random rng;
     random_init(&rng, seed);
-    int32_t edge[2];
+    int32_t edge[2] = {0};
     struct mesh made;
     if (check_count(count, find_edge(mesh, &rng, edge) ? INT32_MAX / 3 : 0,
                     "adding degenerate triangles on the edges of a mesh", err) ||

@@ -89,8 +89,8 @@ int duplicate_triangles(const struct mesh *mesh, struct finding *found, struct e
 {
     *found = nothing_found;
     size_t count = (size_t)mesh->triangle_count;
-    int32_t *order = malloc(count * sizeof *order + 1);
-    int32_t *other = malloc(count * sizeof *other + 1);
+    int32_t *order = calloc(count + 1, sizeof *order);
+    int32_t *other = calloc(count + 1, sizeof *other);
     int32_t *starts = malloc(((size_t)mesh->vertex_count + 1) * sizeof *starts);
     bool ok = order && other && starts;
     if (ok) {

@@ -25,8 +25,9 @@ int generate_uv_sphere(struct mesh *mesh, int64_t meridians, int64_t parallels,
 /* Icosahedron, each triangle split in 4, `levels` times (0 ... 9), on the sphere of radius 1/2. */
 int generate_icosphere(struct mesh *mesh, int levels, struct error *err) MUST_CHECK;
 
-/* Closed surface of the given genus (>= 0; 0 gives a sphere, 1 the torus): a row of `genus` tori
- * joined side by side, about `triangles` triangles. V - E + F = 2 - 2 genus. */
+/* Closed surface of the given genus (0 ... 1000000; 0 gives a sphere, 1 the torus): a row of
+ * `genus` tori joined by necks, about `triangles` (>= 1) triangles but never fewer than the genus
+ * needs (some 28 a torus). V - E + F = 2 - 2 genus. */
 int generate_torus(struct mesh *mesh, int genus, int64_t triangles, struct error *err) MUST_CHECK;
 
 /* Flat disc: a centre, `rings` rings of `sectors` vertices. Open, one boundary loop. */

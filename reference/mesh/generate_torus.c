@@ -136,7 +136,7 @@ int generate_torus(struct mesh *mesh, int genus, int64_t triangles, struct error
     if (mesh_init(mesh, slots - 2 * necks * (side - 1) * (side - 1),
                   2 * slots - 4 * necks * side * side + 8 * necks * side, err))
         return -1;
-    t.number = malloc((size_t)slots * sizeof *t.number);
+    t.number = calloc((size_t)slots, sizeof *t.number);
     if (!t.number) {
         mesh_release(mesh);
         return error_set(err, "out of memory: a torus of %lld triangles", (long long)triangles);

@@ -46,9 +46,9 @@ int mesh_copy(struct mesh *to, const struct mesh *from, struct error *err)
 {
     if (mesh_init(to, from->vertex_count, from->triangle_count, err))
         return -1;
-    if (from->vertex_count > 0)
+    if (to->positions)
         memcpy(to->positions, from->positions, 12 * (size_t)from->vertex_count);
-    if (from->triangle_count > 0)
+    if (to->triangles)
         memcpy(to->triangles, from->triangles, 12 * (size_t)from->triangle_count);
     return 0;
 }

@@ -5,34 +5,40 @@
 #include "tests/fuzz/check_reader.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { FILE_LIMIT = 1 << 24 };
 
-/* A buffer of exactly the file's size, so that sanitizers see reads behind its end. */
-static int replay(const char *path)
+/* The file's bytes in a buffer of exactly their size, so that sanitizers see reads behind its end.
+ */
+static uint8_t *load(const char *path, size_t *count)
 {
     FILE *file = fopen(path, "rb");
-    uint8_t *buffer = malloc(FILE_LIMIT);
-    size_t count = file && buffer ? fread(buffer, 1, FILE_LIMIT, file) : 0;
-    int failed = !file || !buffer || ferror(file) || count == FILE_LIMIT;
-    if (file)
-        fclose(file);
-    if (!failed) {
-        uint8_t *exact = realloc(buffer, count > 0 ? count : 1);
-        buffer = exact ? exact : buffer;
-        LLVMFuzzerTestOneInput(buffer, count);
-    }
+    if (!file)
+        return NULL;
+    uint8_t *buffer = malloc(FILE_LIMIT), *exact = NULL;
+    *count = buffer ? fread(buffer, 1, FILE_LIMIT, file) : 0;
+    if (buffer && !ferror(file) && *count < FILE_LIMIT)
+        exact = malloc(*count > 0 ? *count : 1);
+    if (exact)
+        memcpy(exact, buffer, *count);
     free(buffer);
-    return failed;
+    fclose(file);
+    return exact;
 }
 
 int main(int argument_count, char **arguments)
 {
-    for (int i = 1; i < argument_count; i++)
-        if (replay(arguments[i])) {
+    for (int i = 1; i < argument_count; i++) {
+        size_t count;
+        uint8_t *bytes = load(arguments[i], &count);
+        if (!bytes) {
             fprintf(stderr, "replay: cannot read %s\n", arguments[i]);
             return 2;
         }
+        LLVMFuzzerTestOneInput(bytes, count);
+        free(bytes);
+    }
     printf("replay: %d inputs, no fault\n", argument_count - 1);
     return 0;
 }

@@ -49,12 +49,19 @@ uint64_t surface_hash(const struct mesh *mesh)
     return sum;
 }
 
+static uint32_t float_bits(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
 bool same_mesh(const struct mesh *a, const struct mesh *b)
 {
     if (a->vertex_count != b->vertex_count || a->triangle_count != b->triangle_count)
         return false;
     for (int64_t i = 0; i < 3 * (int64_t)a->vertex_count; i++)
-        if (memcmp(a->positions + i, b->positions + i, sizeof(float)) != 0)
+        if (float_bits(a->positions[i]) != float_bits(b->positions[i]))
             return false;
     for (int64_t i = 0; i < 3 * (int64_t)a->triangle_count; i++)
         if (a->triangles[i] != b->triangles[i])
