@@ -1,0 +1,587 @@
+/* From paths to submissions: every layout, every archive, and what hostile ones try. */
+#include "graders/engine/archive.h"
+#include "graders/engine/names.h"
+#include "graders/engine/upload.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fcntl.h>
+#include <ftw.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static const char *const exercises[] = {"edge-table-any", "mesh-area", "memory-strips", NULL};
+
+static char top[64];
+
+/* ---------------------------------------------------------------- making uploads */
+
+struct item {
+    const char *path, *content; /* content: of a link, where it points to */
+    mode_t type;                /* 0: regular file */
+    size_t bytes;               /* 0: strlen(content) */
+    bool is_hardlink;
+};
+
+enum { ITEMS_MAX = 32 };
+
+static const char *in_top(const char *name)
+{
+    static char paths[4][256];
+    static int next;
+    char *path = paths[next++ % 4];
+    snprintf(path, sizeof paths[0], "%s/%s", top, name);
+    return path;
+}
+
+static void write_bytes(const char *path, const void *bytes, size_t count)
+{
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, count, file), count);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* Writes a file below the top folder, making folders on the way. */
+static void put(const char *name, const char *content)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s", in_top(name));
+    for (char *slash = path + strlen(top) + 1; (slash = strchr(slash, '/')); slash++) {
+        *slash = '\0';
+        mkdir(path, 0700);
+        *slash = '/';
+    }
+    write_bytes(path, content, strlen(content));
+}
+
+/* Packs items; the format by the ending of `name`. Returns the size. */
+static size_t pack(const char *name, const struct item *items, void *into, size_t capacity)
+{
+    struct archive *a = archive_write_new();
+    size_t used = 0;
+    bool is_zip = strstr(name, ".zip");
+    assert_int_equal(is_zip ? archive_write_set_format_zip(a) : archive_write_set_format_pax(a), 0);
+    if (strstr(name, "gz"))
+        assert_int_equal(archive_write_add_filter_gzip(a), 0);
+    if (strstr(name, "xz"))
+        assert_int_equal(archive_write_add_filter_xz(a), 0);
+    if (strstr(name, "bz2"))
+        assert_int_equal(archive_write_add_filter_bzip2(a), 0);
+    archive_write_set_bytes_in_last_block(a, 1);
+    assert_int_equal(archive_write_open_memory(a, into, capacity, &used), 0);
+    for (; items->path; items++) {
+        struct archive_entry *entry = archive_entry_new();
+        size_t bytes = items->bytes ? items->bytes : items->content ? strlen(items->content) : 0;
+        archive_entry_set_pathname(entry, items->path);
+        archive_entry_set_filetype(entry, items->type ? items->type : AE_IFREG);
+        archive_entry_set_perm(entry, 0644);
+        if (items->is_hardlink)
+            archive_entry_set_hardlink(entry, items->content);
+        else if (items->type == AE_IFLNK)
+            archive_entry_set_symlink(entry, items->content);
+        else
+            archive_entry_set_size(entry, (la_int64_t)bytes);
+        assert_true(archive_write_header(a, entry) >= ARCHIVE_WARN);
+        if (!items->type && !items->is_hardlink && bytes)
+            assert_int_equal(archive_write_data(a, items->content, bytes), bytes);
+        archive_entry_free(entry);
+    }
+    assert_int_equal(archive_write_close(a), 0);
+    archive_write_free(a);
+    return used;
+}
+
+static char packed[8 << 20];
+
+static void put_archive(const char *name, const struct item *items)
+{
+    size_t count = pack(name, items, packed, sizeof packed);
+    put(name, "");
+    write_bytes(in_top(name), packed, count);
+}
+
+/* ---------------------------------------------------------------- expecting */
+
+/* Reads paths below the top folder and renders the list: "student/exercise: file file; ...", with
+ * the cause in brackets for what is refused. */
+static const char *summary_of(const char *exercise, const char *names)
+{
+    static char text[8192];
+    char list_of_names[1024], kept[16][256];
+    const char *paths[16];
+    int count = 0;
+    snprintf(list_of_names, sizeof list_of_names, "%s", names);
+    for (char *name = strtok(list_of_names, " "); name; name = strtok(NULL, " ")) {
+        snprintf(kept[count], sizeof kept[0], "%s/%s", top, name);
+        paths[count] = kept[count];
+        count++;
+    }
+    struct upload_list list;
+    struct error err = {0};
+    size_t used = 0;
+    text[0] = '\0';
+    if (upload_read(paths, count, exercises, exercise, &list, &err))
+        snprintf(text, sizeof text, "error");
+    for (int i = 0; i < list.count && used < sizeof text; i++) {
+        const struct upload *u = &list.uploads[i];
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s/%s:", i ? "; " : "",
+                                 u->student_folder, u->exercise ? u->exercise : "?");
+        if (u->refusal.refused)
+            used += (size_t)snprintf(text + used, sizeof text - used, " [%s]", u->refusal.cause);
+        for (int f = 0; f < u->file_count; f++)
+            used += (size_t)snprintf(text + used, sizeof text - used, " %s", u->files[f].name);
+    }
+    upload_list_release(&list);
+    return text;
+}
+
+static void expect(const char *exercise, const char *names, const char *summary)
+{
+    assert_string_equal(summary_of(exercise, names), summary);
+}
+
+static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
+{
+    (void)status;
+    (void)type;
+    (void)at;
+    return remove(path);
+}
+
+static int make_top(void **state)
+{
+    (void)state;
+    snprintf(top, sizeof top, "/tmp/test_upload.XXXXXX");
+    return mkdtemp(top) ? 0 : -1;
+}
+
+static int remove_top(void **state)
+{
+    (void)state;
+    return nftw(top, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+}
+
+/* ---------------------------------------------------------------- layouts */
+
+static void folders_of_students_are_read(void **state)
+{
+    (void)state;
+    put("class/ana/edge-table-any.c", "int a;");
+    put("class/ana/Mesh_Area.C", "int b;");
+    put("class/ana/list.h", "int c;");
+    put("class/ana/mesh-area.h", "the public header");
+    put("class/ana/notes.txt", "hello");
+    put("class/bea/edge_table_any/main.c", "int a;");
+    put("class/bea/edge_table_any/list.c", "int a;");
+    put("class/bea/edge_table_any/deep/list.h", "int a;");
+    put("class/bea/edge_table_any/edge-table-any.h", "the public header");
+    put("class/bea/edge_table_any/Makefile", "all:");
+    put("class/carla/homework 1/memory-strips.c", "int a;");
+    put("class/README.md", "hello");
+    put("class/.git/HEAD", "hello");
+    expect(NULL, "class",
+           "ana/edge-table-any: edge-table-any.c list.h; ana/mesh-area: Mesh_Area.c list.h; "
+           "bea/edge-table-any: list.c list.h main.c; carla/memory-strips: memory-strips.c");
+    expect(NULL, "class/ana",
+           "ana/edge-table-any: edge-table-any.c list.h; "
+           "ana/mesh-area: Mesh_Area.c list.h");
+    expect(NULL, "class/ana class/carla",
+           "ana/edge-table-any: edge-table-any.c list.h; ana/mesh-area: Mesh_Area.c list.h; "
+           "carla/memory-strips: memory-strips.c");
+}
+
+static void contents_and_notes_are_kept(void **state)
+{
+    (void)state;
+    put("class/ana/mesh-area.c", "int a;");
+    put("class/ana/notes.txt", "hello");
+    put("class/ana/mesh-area.h", "mine");
+    put("class/ana/other.c", "int b;");
+    put("class/bea/mesh-area.c", "");
+    const char *path = in_top("class");
+    struct upload_list list;
+    assert_int_equal(upload_read(&path, 1, exercises, NULL, &list, NULL), 0);
+    assert_int_equal(list.count, 2);
+    assert_string_equal(list.uploads[0].student, "ana");
+    assert_ptr_equal(list.uploads[0].exercise, exercises[1]);
+    assert_int_equal(list.uploads[0].files[0].count, 6);
+    assert_memory_equal(list.uploads[0].files[0].bytes, "int a;", 6);
+    assert_int_equal(list.uploads[1].files[0].count, 0);
+    assert_int_equal(list.note_count, 3);
+    assert_string_equal(list.notes[1], "class/ana/notes.txt: not taken (no .c or .h file)");
+    upload_list_release(&list);
+}
+
+static const struct item one_class[] = {
+    {.path = "./", .type = AE_IFDIR},
+    {.path = "./homework/", .type = AE_IFDIR},
+    {.path = "./homework/zoe/mesh-area.c", .content = "int a;"},
+    {.path = "./homework/__MACOSX/zoe/._mesh-area.c", .content = "x"},
+    {.path = "./homework/zoe/.DS_Store", .content = "x"},
+    {.path = "./homework/ana/edge-table-any/x.c", .content = "int a;"},
+    {0}};
+
+static void archives_are_read(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"class.zip", "class.tar",     "class.tar.gz",
+                                        "class.tgz", "class.tar.bz2", "class.tar.xz"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        put_archive(names[i], one_class);
+        expect(NULL, names[i], "ana/edge-table-any: x.c; zoe/mesh-area: mesh-area.c");
+    }
+}
+
+static void one_archive_a_student_is_read(void **state)
+{
+    (void)state;
+    const struct item flat[] = {{.path = "mesh-area.c", .content = "int a;"}, {0}};
+    const struct item deep[] = {{.path = "entrega/mesh-area.c", .content = "int a;"},
+                                {.path = "entrega/edge-table-any.c", .content = "int a;"},
+                                {0}};
+    put_archive("class/ana.zip", flat);
+    put_archive("class/bea.tar.gz", deep);
+    put("class/carla/mesh-area.c", "int a;");
+    expect(NULL, "class",
+           "ana/mesh-area: mesh-area.c; bea/edge-table-any: edge-table-any.c; "
+           "bea/mesh-area: mesh-area.c; carla/mesh-area: mesh-area.c");
+    expect(NULL, "class/ana.zip class/bea.tar.gz",
+           "ana/mesh-area: mesh-area.c; bea/edge-table-any: edge-table-any.c; "
+           "bea/mesh-area: mesh-area.c");
+    expect(NULL, "class/ana.zip", "ana/mesh-area: mesh-area.c");
+    char inner[4096];
+    size_t count = pack(".zip", deep, inner, sizeof inner);
+    const struct item outer[] = {{.path = "g/ana.zip", .content = inner, .bytes = count},
+                                 {.path = "g/bea/mesh-area.c", .content = "int a;"},
+                                 {0}};
+    put_archive("outer.zip", outer);
+    expect(NULL, "outer.zip",
+           "ana/edge-table-any: edge-table-any.c; ana/mesh-area: mesh-area.c; "
+           "bea/mesh-area: mesh-area.c");
+}
+
+static void groups_of_students_are_looked_through(void **state)
+{
+    (void)state;
+    put("class/group-1/ana/mesh-area.c", "int a;");
+    put("class/group-1/bea/mesh-area.c", "int a;");
+    put("class/group-2/carla/mesh-area.c", "int a;");
+    put("class/group-2/dora/mesh-area.c", "int a;");
+    expect(NULL, "class",
+           "ana/mesh-area: mesh-area.c; bea/mesh-area: mesh-area.c; "
+           "carla/mesh-area: mesh-area.c; dora/mesh-area: mesh-area.c");
+    put("by/mesh-area/ana/mesh-area.c", "int a;");
+    put("by/mesh-area/bea/mesh-area.c", "int a;");
+    expect(NULL, "by", "ana/mesh-area: mesh-area.c; bea/mesh-area: mesh-area.c");
+}
+
+static void moodle_and_gradescope_are_read(void **state)
+{
+    (void)state;
+    char inner[4096];
+    const struct item zipped[] = {{.path = "tarea/mesh-area.c", .content = "int a;"}, {0}};
+    size_t count = pack(".zip", zipped, inner, sizeof inner);
+    const struct item moodle[] = {
+        {.path = "Ana Pérez_11_assignsubmission_file_/mesh-area.c", .content = "int a;"},
+        {.path = "Ana Pérez_12_assignsubmission_file_/mesh-area.c", .content = "int a;"},
+        {.path = "Ana Pérez_11_assignsubmission_onlinetext_/onlinetext.html", .content = "x"},
+        {.path = "Bruno Conti_13_assignsubmission_file_/entrega.zip",
+         .content = inner,
+         .bytes = count},
+        {.path = "Carla_14_assignsubmission_file_edge-table-any.c", .content = "int a;"},
+        {0}};
+    put_archive("mesh-area-1234.zip", moodle);
+    expect(NULL, "mesh-area-1234.zip",
+           "Ana-Perez/mesh-area: mesh-area.c; Ana-Perez-2/mesh-area: mesh-area.c; "
+           "Bruno-Conti/mesh-area: mesh-area.c; Carla/edge-table-any: edge-table-any.c");
+    static const char metadata[] =
+        "---\nsubmission_501:\n  :submitters:\n  - :name: Dora Núñez\n"
+        "    :sid: '1'\n    :email: d@x\n  - :name: \"Eva\"\n  :score: 1.0\n"
+        "submission_502:\n  :submitters:\n  - :name: Fabio\n";
+    const struct item gradescope[] = {
+        {.path = "assignment_9_export/submission_metadata.yml", .content = metadata},
+        {.path = "assignment_9_export/submission_501/mesh-area.c", .content = "int a;"},
+        {.path = "assignment_9_export/submission_502/src/mesh-area.c", .content = "int a;"},
+        {.path = "assignment_9_export/submission_503/mesh-area.c", .content = "int a;"},
+        {0}};
+    put_archive("export.zip", gradescope);
+    expect(NULL, "export.zip",
+           "Dora-Nunez-Eva/mesh-area: mesh-area.c; Fabio/mesh-area: mesh-area.c; "
+           "submission_503/mesh-area: mesh-area.c");
+}
+
+static void single_files_are_read(void **state)
+{
+    (void)state;
+    put("class/ana.c", "int a;");
+    put("class/bea.c", "int a;");
+    put("class/carla/x.c", "int a;");
+    put("class/carla/y.h", "int a;");
+    put("dora/mesh-area.c", "int a;");
+    put("dora/edge-table-any.c", "int a;");
+    expect("mesh-area", "class",
+           "ana/mesh-area: ana.c; bea/mesh-area: bea.c; carla/mesh-area: x.c y.h");
+    expect("mesh-area", "class/ana.c", "ana/mesh-area: ana.c");
+    expect("mesh-area", "dora/mesh-area.c", "dora/mesh-area: mesh-area.c");
+    expect(NULL, "dora/mesh-area.c dora/edge-table-any.c",
+           "dora/edge-table-any: edge-table-any.c; dora/mesh-area: mesh-area.c");
+    expect(NULL, "class/ana.c", "ana/?: [no-source]");
+    const char *paths[] = {in_top("class/carla/x.c"), in_top("class/carla/y.h")};
+    struct upload upload;
+    assert_int_equal(upload_read_files(paths, 2, "mesh-area", &upload, NULL), 0);
+    assert_int_equal(upload.file_count, 2);
+    assert_string_equal(upload.student, "");
+    assert_false(upload.refusal.refused);
+    upload_release(&upload);
+    assert_int_equal(upload_read_files(paths + 1, 1, "mesh-area", &upload, NULL), 0);
+    assert_string_equal(upload.refusal.cause, "no-source");
+    upload_release(&upload);
+}
+
+static void the_order_is_always_the_same(void **state)
+{
+    (void)state;
+    put("a/x/mesh-area.c", "int a;");
+    put("a/y/mesh-area.c", "int a;");
+    put("b/x/mesh-area.c", "int b;");
+    put("b/y-2/mesh-area.c", "int b;");
+    char first[512];
+    snprintf(first, sizeof first, "%s", summary_of(NULL, "a b"));
+    expect(NULL, "b a", first);
+    expect(NULL, "b a b a", first);
+    assert_string_equal(first, "x/mesh-area: mesh-area.c; x-2/mesh-area: mesh-area.c; "
+                               "y/mesh-area: mesh-area.c; y-2/mesh-area: mesh-area.c");
+}
+
+static void wrong_paths_are_errors(void **state)
+{
+    (void)state;
+    const char *missing = in_top("missing");
+    struct upload_list list;
+    struct error err = {0};
+    assert_int_equal(upload_read(&missing, 1, exercises, NULL, &list, &err), -1);
+    assert_non_null(strstr(err.text, "missing"));
+    upload_list_release(&list);
+    put("x.txt", "x");
+    const char *text = in_top("x.txt");
+    assert_int_equal(upload_read(&text, 1, exercises, NULL, &list, NULL), -1);
+    upload_list_release(&list);
+    assert_int_equal(upload_read(&text, 1, exercises, "no-such", &list, NULL), -1);
+    upload_list_release(&list);
+    assert_int_equal(upload_read(&text, 0, exercises, NULL, &list, NULL), 0);
+    assert_int_equal(list.count, 0);
+    upload_list_release(&list);
+}
+
+/* ---------------------------------------------------------------- refusals */
+
+static void refusals_stay_with_their_student(void **state)
+{
+    (void)state;
+    static char large[UPLOAD_FILE_BYTES + 1];
+    memset(large, 'x', sizeof large);
+    put("class/ana/mesh-area.c", "int a;");
+    put("class/bea/mesh-area.c", "");
+    write_bytes(in_top("class/bea/mesh-area.c"), large, sizeof large);
+    put("class/bea/edge-table-any.c", "int a;");
+    put("class/carla/mesh-area/x.c", "int a;");
+    assert_int_equal(symlink("/etc/passwd", in_top("class/carla/mesh-area/y.h")), 0);
+    put("class/dora/x", "");
+    assert_int_equal(symlink("/etc/passwd", in_top("class/dora/mesh-area.c")), 0);
+    put("class/eva/x", "");
+    assert_int_equal(mkfifo(in_top("class/eva/mesh-area.c"), 0600), 0);
+    put("class/fabio/tabla.c", "int a;");
+    put("class/gina/mesh-area/a;rm -rf ~.c", "int a;");
+    put("class/hugo/mesh-area/-o.c", "int a;");
+    put("class/iris/mesh-area.c", "int a;");
+    put("class/iris/mesh-area/x.c", "int a;");
+    put("class/jan/mesh-area/a/x.c", "int a;");
+    put("class/jan/mesh-area/b/X.c", "int a;");
+    put("class/kim/mesh-area/x.h", "int a;");
+    expect(
+        NULL, "class",
+        "ana/mesh-area: mesh-area.c; bea/edge-table-any: edge-table-any.c; "
+        "bea/mesh-area: [file-too-large]; carla/mesh-area: [link]; dora/mesh-area: [link]; "
+        "eva/mesh-area: [device]; fabio/?: [no-source]; gina/mesh-area: [file-name]; "
+        "hugo/mesh-area: [file-name]; iris/mesh-area: [file-twice]; jan/mesh-area: [file-twice]");
+    for (int i = 0; i <= UPLOAD_FILES; i++) {
+        char name[64];
+        snprintf(name, sizeof name, "many/lea/mesh-area/f%d.c", i);
+        put(name, "int a;");
+    }
+    expect(NULL, "many", "lea/mesh-area: [too-many-files]");
+}
+
+/* One student's hostile archive beside an honest one: only the hostile is refused. */
+static void expect_hostile(const char *ending, const struct item *items, const char *cause)
+{
+    char name[64], summary[128];
+    snprintf(name, sizeof name, "hostile/mallory%s", ending);
+    put("hostile/ana/mesh-area.c", "int a;");
+    put_archive(name, items);
+    snprintf(summary, sizeof summary, "ana/mesh-area: mesh-area.c; mallory/%s: [%s]",
+             items[0].path && strcmp(items[0].path, "mesh-area.c") == 0 ? "mesh-area" : "?", cause);
+    expect(NULL, "hostile", summary);
+    unlink(in_top(name));
+}
+
+static void hostile_entries_are_refused(void **state)
+{
+    (void)state;
+#define HONEST {.path = "mesh-area.c", .content = "int a;"}
+    expect_hostile(".tar", (struct item[]){HONEST, {.path = "../evil.c", .content = "x"}, {0}},
+                   "archive-path");
+    expect_hostile(".zip", (struct item[]){HONEST, {.path = "a/../../evil.c", .content = "x"}, {0}},
+                   "archive-path");
+    expect_hostile(".tar", (struct item[]){HONEST, {.path = "/etc/evil.c", .content = "x"}, {0}},
+                   "archive-path");
+    expect_hostile(".tar", (struct item[]){HONEST, {.path = "C:\\evil.c", .content = "x"}, {0}},
+                   "archive-path");
+    expect_hostile(".tar",
+                   (struct item[]){HONEST, {.path = "x\\..\\..\\evil.c", .content = "x"}, {0}},
+                   "archive-path");
+    expect_hostile(".tar",
+                   (struct item[]){HONEST, {.path = "l", .content = "/etc", .type = AE_IFLNK}, {0}},
+                   "archive-link");
+    expect_hostile(".zip",
+                   (struct item[]){HONEST, {.path = "l", .content = "/etc", .type = AE_IFLNK}, {0}},
+                   "archive-link");
+    expect_hostile(".tar",
+                   (struct item[]){
+                       HONEST, {.path = "h.c", .content = "mesh-area.c", .is_hardlink = true}, {0}},
+                   "archive-link");
+    expect_hostile(".tar", (struct item[]){HONEST, {.path = "d", .type = AE_IFCHR}, {0}},
+                   "archive-device");
+    expect_hostile(".tar", (struct item[]){HONEST, {.path = "p", .type = AE_IFIFO}, {0}},
+                   "archive-device");
+    expect_hostile(".tar.gz", (struct item[]){HONEST, {.path = "x.rar", .content = "x"}, {0}},
+                   "archive-kind");
+    expect_hostile(".tar.gz", (struct item[]){HONEST, HONEST, {0}}, "file-twice");
+    expect_hostile(".zip", (struct item[]){{0}}, "archive-broken");
+#undef HONEST
+}
+
+static void bombs_and_damage_are_refused(void **state)
+{
+    (void)state;
+    enum { ZEROS = 64 << 20 };
+    char *zeros = calloc(1, ZEROS);
+    assert_non_null(zeros);
+    expect_hostile(".tar.gz",
+                   (struct item[]){{.path = "zeros.bin", .content = zeros, .bytes = ZEROS}, {0}},
+                   "archive-ratio");
+    expect_hostile(".zip",
+                   (struct item[]){{.path = "zeros.bin", .content = zeros, .bytes = ZEROS}, {0}},
+                   "archive-ratio");
+    expect_hostile(".tar.xz",
+                   (struct item[]){{.path = "zeros.bin", .content = zeros, .bytes = ZEROS}, {0}},
+                   "archive-ratio");
+    free(zeros);
+    static struct item many[ARCHIVE_NESTED_ENTRIES + 3];
+    for (int i = 0; i < ARCHIVE_NESTED_ENTRIES + 2; i++)
+        many[i] = (struct item){.path = "d", .type = AE_IFDIR};
+    char *inner = malloc(4 << 20), *middle = malloc(4 << 20);
+    assert_non_null(inner);
+    assert_non_null(middle);
+    size_t count = pack(".tar.gz", many, inner, 4 << 20);
+    expect_hostile(".zip",
+                   (struct item[]){{.path = "n.tar.gz", .content = inner, .bytes = count}, {0}},
+                   "archive-too-many");
+    count = pack(".zip", (struct item[]){{.path = "mesh-area.c", .content = "int a;"}, {0}}, inner,
+                 4 << 20);
+    count = pack(".zip", (struct item[]){{.path = "i.zip", .content = inner, .bytes = count}, {0}},
+                 middle, 4 << 20);
+    expect_hostile(".zip",
+                   (struct item[]){{.path = "m.zip", .content = middle, .bytes = count}, {0}},
+                   "archive-nested");
+    count = pack(".tar.gz", (struct item[]){{.path = "mesh-area.c", .content = "int a;"}, {0}},
+                 inner, 4 << 20);
+    put("hostile/cut.tar.gz", "");
+    write_bytes(in_top("hostile/cut.tar.gz"), inner, count / 2);
+    put("hostile/text.zip", "this is no archive");
+    put("hostile/empty.zip", "");
+    expect(NULL, "hostile",
+           "ana/mesh-area: mesh-area.c; cut/?: [archive-broken]; empty/?: [archive-broken]; "
+           "text/?: [archive-broken]");
+    expect(NULL, "hostile/text.zip", "text/?: [archive-broken]");
+    free(inner);
+    free(middle);
+}
+
+/* ---------------------------------------------------------------- names */
+
+static void names_become_folders(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = {{"Ana Pérez", "Ana-Perez"},
+                                          {"jose\xcc\x81", "jose"},
+                                          {"../../etc/passwd", "etc-passwd"},
+                                          {"-rf", "rf"},
+                                          {"=HYPERLINK(1)", "HYPERLINK-1"},
+                                          {"<script>", "script"},
+                                          {"李", "student"},
+                                          {"", "student"},
+                                          {".hidden.", "hidden"},
+                                          {"a  b", "a-b"},
+                                          {"ulises_ortega", "ulises_ortega"}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char slug[NAMES_SLUG];
+        names_slug(slug, rows[i][0]);
+        assert_string_equal(slug, rows[i][1]);
+    }
+    char longest[300], slug[NAMES_SLUG];
+    memset(longest, 'a', sizeof longest - 1);
+    longest[sizeof longest - 1] = '\0';
+    names_slug(slug, longest);
+    assert_int_equal(strlen(slug), NAMES_SLUG - 1);
+}
+
+static void any_bytes_become_utf8(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = {{"ok", "ok"},
+                                          {"é", "é"},
+                                          {"\xe9", "\xef\xbf\xbd"},
+                                          {"\xc0\xaf", "\xef\xbf\xbd\xef\xbf\xbd"},
+                                          {"\xed\xa0\x80", "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd"},
+                                          {"\xf5x", "\xef\xbf\xbdx"},
+                                          {"\xe2\x82", "\xef\xbf\xbd\xef\xbf\xbd"},
+                                          {"\xf0\x9f\x98\x80", "\xf0\x9f\x98\x80"}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char *text = names_utf8(rows[i][0], strlen(rows[i][0]));
+        assert_non_null(text);
+        assert_string_equal(text, rows[i][1]);
+        free(text);
+    }
+}
+
+int main(void)
+{
+#define TEST(function) cmocka_unit_test_setup_teardown(function, make_top, remove_top)
+    const struct CMUnitTest tests[] = {
+        TEST(folders_of_students_are_read),
+        TEST(contents_and_notes_are_kept),
+        TEST(archives_are_read),
+        TEST(one_archive_a_student_is_read),
+        TEST(groups_of_students_are_looked_through),
+        TEST(moodle_and_gradescope_are_read),
+        TEST(single_files_are_read),
+        TEST(the_order_is_always_the_same),
+        TEST(wrong_paths_are_errors),
+        TEST(refusals_stay_with_their_student),
+        TEST(hostile_entries_are_refused),
+        TEST(bombs_and_damage_are_refused),
+        TEST(names_become_folders),
+        TEST(any_bytes_become_utf8),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
