@@ -114,7 +114,7 @@ RUNNER_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O2 -g -fno-sanitize=all $(WARNINGS)
 RUNNER_PARTS := $(patsubst %.c,%,$(notdir $(wildcard graders/runner/*.c)))
 SHIM := malloc calloc realloc free aligned_alloc posix_memalign memalign valloc
 FLAVOUR_plain :=
-FLAVOUR_sanitized := -DRUNNER_WITHOUT_SHIM -DRUNNER_SANITIZED
+FLAVOUR_sanitized := -DRUNNER_WITHOUT_SHIM
 FLAVOUR_checked := -DRUNNER_WITHOUT_SHIM
 
 build/runner/plain/%.o: graders/runner/%.c

@@ -164,8 +164,13 @@ static json_t *check_json(const struct trial *trial, enum check_kind check, doub
 {
     const struct exercise *exercise = trial->yardstick->exercise;
     const struct check_result *result = &trial->checks[check];
+    static const struct check_result withheld = {
+        VERDICT_NOT_REACHED, "basic-class", "No points before the first class of inputs passes.",
+        "Sin puntos mientras no pase la primera clase de entradas."};
     double points = check_counts(trial, check) ? exercise->check_points[check] : 0;
     *score += points;
+    if (result->verdict == VERDICT_PASSED && !trial_basic_class_passed(trial))
+        result = &withheld;
     return json_pack("{s:s, s:o, s:o, s:o, s:s, s:s, s:o}", "name", check_name(check), "title",
                      phrase_json(check_title_english(check), check_title_spanish(check)), "points",
                      points_json(points), "max_points", points_json(exercise->check_points[check]),

@@ -1,12 +1,13 @@
 /* Looks for undefined behaviour: the small cases again under ASan and UBSan, then, when these find
  * nothing, under valgrind's memcheck, which also sees what is read before it is written.
  *
- * That something was found is told by the runner's page (a death callback of the sanitizer, the
- * error count of memcheck), never by text; the tool's text only explains. */
+ * That something was found is told by the way the program ends (sanitizers abort) and by memcheck's
+ * error count, never by text; the tool's text only explains. */
 #include "graders/engine/series.h"
 #include "graders/engine/trial.h"
 
 #include <ctype.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -73,10 +74,14 @@ static void report(struct trial *trial, size_t index, const char *tool, const ch
 
 /* ------------------------------------------------------------------- calls */
 
-/* Cases worth a second look: small, and neither too long nor forbidden the first time. */
+/* Cases worth a second look: small, and neither too long nor forbidden the first time. A program
+ * that ends itself tells nothing new. */
 static bool is_wanted(const struct trial *trial, size_t index, size_t input_bytes)
 {
     enum verdict verdict = trial->cases[index].attempt.verdict;
+    const char *cause = trial->cases[index].attempt.cause;
+    if (verdict == VERDICT_CRASH && (strcmp(cause, "abort") == 0 || strcmp(cause, "exit") == 0))
+        return false;
     return trial->cases[index].run && trial->yardstick->cases[index].bytes <= input_bytes &&
            (verdict == VERDICT_PASSED || verdict == VERDICT_WRONG_ANSWER ||
             verdict == VERDICT_CRASH || verdict == VERDICT_UNDEFINED_BEHAVIOUR);
@@ -103,16 +108,21 @@ static int run_series(struct trial *trial, enum series_tool tool, size_t input_l
     memset(attempt, 0, sizeof *attempt);
     *found = -1;
     int result = series_start(&series, &plan, err);
+    long last = -1;
     for (; result == 0 && *next < case_count && *found < 0 && series.end == CALL_ANSWERED;
          ++*next) {
         if (!is_wanted(trial, *next, input_limit))
             continue;
-        series_call(&series, &trial->yardstick->cases[*next], 0, &limits, attempt);
-        if (attempt->claims.tool_errors > 0 || attempt->claims.sanitizer_died)
-            *found = (long)*next;
+        last = (long)*next;
+        series_call(&series, &trial->yardstick->cases[last], 0, &limits, attempt);
+        if (attempt->claims.tool_errors > 0)
+            *found = last;
     }
     if (series.started && series_end(&series, attempt, err) != 0)
         result = -1;
+    if (tool == SERIES_SANITIZER && attempt->outcome.end == BOX_ENDED_SIGNAL &&
+        attempt->outcome.signal == SIGABRT)
+        *found = last;
     series_release(&series);
     return result;
 }

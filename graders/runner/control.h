@@ -70,7 +70,6 @@ struct control {
     int64_t stack_bytes;     /* with MODE_PAINT_STACK */
     int64_t tool_errors;     /* with MODE_MEMCHECK: errors so far */
     uint32_t fault;          /* fault_kind */
-    uint32_t sanitizer_died; /* a sanitizer found an error and ended the program */
 };
 
 #endif

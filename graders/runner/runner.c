@@ -56,31 +56,19 @@ static void describe_fault(int signal_number, siginfo_t *info, void *context)
     signal(signal_number, SIG_DFL); /* returning repeats the fault, which now ends the program */
 }
 
-#ifndef RUNNER_SANITIZED
 static void watch_faults(void)
 {
+#ifndef RUNNER_WITHOUT_SHIM /* sanitizers and valgrind describe faults themselves */
     stack_t own = {.ss_sp = handler_stack, .ss_size = sizeof handler_stack};
     struct sigaction action = {.sa_sigaction = describe_fault, .sa_flags = SA_SIGINFO | SA_ONSTACK};
     sigaltstack(&own, NULL);
     sigaction(SIGSEGV, &action, NULL);
     sigaction(SIGBUS, &action, NULL);
-}
 #else
-void __sanitizer_set_death_callback(void (*callback)(void));
-
-/* The sanitizers bring handlers of their own; they say here that they found something. */
-static void sanitizer_died(void)
-{
-    control->sanitizer_died = 1;
-}
-
-static void watch_faults(void)
-{
     (void)describe_fault;
     (void)handler_stack;
-    __sanitizer_set_death_callback(sanitizer_died);
-}
 #endif
+}
 
 /* ------------------------------------------------------------------- stack */
 
