@@ -283,8 +283,7 @@ int score_trial(struct trial *trial, const struct submitter *submitter, struct o
             json_array_append_new(checks, check_json(trial, (enum check_kind)check, &score));
     for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
         if (trial->cases[i].run)
-            json_array_append_new(cases,
-                                  case_json(trial, i, submitter->student_folder, outcome->scenes));
+            json_array_append_new(cases, case_json(trial, i, submitter, outcome->scenes));
     outcome->result = header_json(exercise, submitter, &decision);
     json_t *rest = json_pack(
         "{s:o, s:o, s:o, s:o, s:o, s:o, s:{s:b, s:s, s:o}, s:o, s:o, s:o, s:o, s:o}", "score",
