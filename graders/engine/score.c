@@ -8,11 +8,13 @@
 
 #include "graders/engine/measures.h"
 
+#include <limits.h>
 #include <math.h>
 #include <nettle/sha2.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wchar.h>
 
 #ifndef MESHGRADE_VERSION
 #define MESHGRADE_VERSION "0.1.0"
@@ -23,9 +25,33 @@ const char *meshgrade_version(void)
     return MESHGRADE_VERSION;
 }
 
+/* Bytes of the UTF-8 character that begins here, 0 when none does (a text may have been cut inside
+ * one). jansson refuses what is not UTF-8, and would lose the whole result for it. */
+static size_t character_bytes(const char *at)
+{
+    mbstate_t state = {0};
+    size_t count = mbrtowc(NULL, at, MB_LEN_MAX, &state);
+    return count == (size_t)-1 || count == (size_t)-2 ? 0 : count;
+}
+
+/* A JSON string of any bytes: what is not UTF-8 becomes a question mark. */
+static json_t *text_json(const char *text)
+{
+    char *clean = strdup(text);
+    for (char *at = clean; at && *at;) {
+        size_t count = character_bytes(at);
+        if (count == 0)
+            *at = '?';
+        at += count ? count : 1;
+    }
+    json_t *json = clean ? json_string(clean) : NULL;
+    free(clean);
+    return json;
+}
+
 static json_t *phrase_json(const char *english, const char *spanish)
 {
-    return json_pack("{s:s, s:s}", "en", english, "es", spanish);
+    return json_pack("{s:o, s:o}", "en", text_json(english), "es", text_json(spanish));
 }
 
 static json_t *points_json(double points)
@@ -99,8 +125,8 @@ static void describe_scene(const struct trial *trial, size_t index, const char *
     const struct attempt *attempt = &trial->cases[index].attempt;
     char title[400];
     snprintf(title, sizeof title, "%s: %s", exercise->title.english, c->name);
-    json_object_set_new(attempt->scene, "title", json_string(title));
-    json_object_set_new(attempt->scene, "subtitle", json_string(attempt->message));
+    json_object_set_new(attempt->scene, "title", text_json(title));
+    json_object_set_new(attempt->scene, "subtitle", text_json(attempt->message));
     json_object_set_new(attempt->scene, "metadata",
                         json_pack("{s:s, s:s, s:s, s:s, s:s}", "exercise", exercise->name, "case",
                                   c->name, "verdict", verdict_name(attempt->verdict), "seed", seed,
@@ -123,7 +149,7 @@ static json_t *case_json(struct trial *trial, size_t index, const struct submitt
                   "message", phrase_json(attempt->message, attempt->message_es), "seed", seed,
                   "public", c->is_public, "reproduce", reproduce);
     if (rejected)
-        json_object_set_new(json, "element", json_string(attempt->element));
+        json_object_set_new(json, "element", text_json(attempt->element));
     if (rejected && attempt->scene) {
         snprintf(picture, sizeof picture, "pictures/%s/%s/%s.png", submitter->student_folder,
                  exercise, c->name);
@@ -252,20 +278,6 @@ static json_t *header_json(const struct exercise *exercise, const struct submitt
                     exercise ? exercise->title.spanish : ""),
         "problem", exercise ? exercise->problem : "", "verdict", verdict_name(decision->verdict),
         "cause", decision->cause, "summary", summary_json(decision));
-}
-
-static json_t *text_json(const char *untrusted)
-{
-    json_t *text = json_string(untrusted);
-    if (text)
-        return text;
-    char *ascii = strdup(untrusted); /* not UTF-8: keep what is ASCII */
-    for (char *at = ascii; at && *at; at++)
-        if ((unsigned char)*at >= 0x80)
-            *at = '?';
-    text = json_string(ascii ? ascii : "");
-    free(ascii);
-    return text;
 }
 
 int score_trial(struct trial *trial, const struct submitter *submitter, struct outcome *outcome,
