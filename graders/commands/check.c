@@ -92,7 +92,10 @@ static int run_files(const struct exercise *exercise, char **files, int count,
     bool talk = isatty(STDERR_FILENO) && !request->json;
     if (talk)
         fprintf(stderr, "checking %s ...\r", exercise->name);
-    if (upload_read_files((const char *const *)files, count, exercise->name, &upload, &err) != 0 ||
+    if (upload_read_files((const char *const *)files, count, exercise->name, &upload, &err) == 0 &&
+        !upload.student_folder)
+        upload.student_folder = strdup("student");
+    if (err.text[0] || !upload.student_folder ||
         check(exercise, &upload, request, &outcome, &err) != 0) {
         code = report_fault(&err);
     } else {
