@@ -174,7 +174,8 @@ static int expected(const char *place, const char *what, const json_t *value, st
     static const char *const types[] = {"an object", "a list", "a string", "an integer",
                                         "a number",  "true",   "false",    "null"};
     if (!json_is_string(value))
-        return error_set(err, "%s: expected %s, got %s", place, what, types[json_typeof(value)]);
+        return error_set(err, "%s: expected %s, got %s", place, what,
+                         value ? types[json_typeof(value)] : "nothing");
     char *shown = clean_text(json_string_value(value), json_string_length(value), CLEAN_LINE, 40);
     error_set(err, "%s: expected %s, got \"%s\"", place, what, shown ? shown : "");
     free(shown);

@@ -128,17 +128,18 @@ static json_t *results_of(const struct export_job *job, const struct student *st
 static int add_student(json_t *all, const struct student *student, json_t *results)
 {
     char *name = export_clean(student->name, false);
-    if (!name || !results) {
-        free(name);
+    char *key = NULL;
+    if (name && json_object_get(all, name) && asprintf(&key, "%s (%s)", name, student->folder) < 0)
+        key = NULL;
+    bool needs_key = name && json_object_get(all, name);
+    int status = -1;
+    if (name && results && (key || !needs_key))
+        status = json_object_set_new(all, key ? key : name, results);
+    else
         json_decref(results);
-        return -1;
-    }
-    char key[20200 * 4];
-    snprintf(key, sizeof key, "%s", name);
-    if (json_object_get(all, key))
-        snprintf(key, sizeof key, "%s (%s)", name, student->folder);
+    free(key);
     free(name);
-    return json_object_set_new(all, key, results);
+    return status;
 }
 
 int export_gradescope(const struct export_job *job, struct error *err)

@@ -115,20 +115,20 @@ static void write_figure(struct html *page, const struct page_context *context, 
     html_close(page, "figure");
 }
 
-static void write_term(struct html *page, struct words term, const char *tag, const char *text)
+static void write_term(struct html *page, struct words term, const char *text)
 {
     if (*text == '\0')
         return;
     html_both_leaf(page, "dt", NULL, term);
     html_open(page, "dd");
-    html_leaf(page, tag, NULL, text);
+    html_text(page, text);
     html_close(page, "dd");
 }
 
 static void write_facts(struct html *page, const json_t *result, const json_t *one)
 {
     html_open(page, "dl");
-    write_term(page, (struct words){"where", "dónde"}, "span", result_text(one, "element"));
+    write_term(page, (struct words){"where", "dónde"}, result_text(one, "element"));
     size_t i;
     json_t *part;
     json_array_foreach(json_object_get(result, "classes"), i, part)
@@ -140,11 +140,17 @@ static void write_facts(struct html *page, const json_t *result, const json_t *o
     }
     char cause[64];
     words_of_slug(result_text(one, "cause"), cause, sizeof cause);
-    write_term(page, (struct words){"cause", "causa"}, "span", cause);
-    write_term(page, (struct words){"seed", "semilla"}, "span", result_text(one, "seed"));
-    write_term(page, (struct words){"see it again", "verlo otra vez"}, "code",
-               result_text(one, "reproduce"));
+    write_term(page, (struct words){"cause", "causa"}, cause);
+    write_term(page, (struct words){"seed", "semilla"}, result_text(one, "seed"));
     html_close(page, "dl");
+    if (*result_text(one, "reproduce")) {
+        html_both_leaf(page, "p", "again", (struct words){"See it again:", "Verlo otra vez:"});
+        html_open(page, "pre");
+        html_attribute(page, "class", "command");
+        html_attribute(page, "tabindex", "0");
+        html_text(page, result_text(one, "reproduce"));
+        html_close(page, "pre");
+    }
 }
 
 void page_case(struct html *page, const struct page_context *context, const json_t *result,

@@ -18,6 +18,8 @@
 enum {
     PICTURE_WIDTH = 1120,
     PICTURE_HEIGHT = 840,
+    CHART_WIDTH = 800,
+    CHART_HEIGHT = 600,
     SHEET_CELLS = 24,
     SHEET_COLUMNS = 3,
     USELESS_LIMIT = 2
@@ -44,6 +46,12 @@ static bool is_up_to_date(const char *made, const char *from)
 }
 
 /* ---------------------------------------------------------------- scenes of charts */
+
+/* Whether a scene, "<case>.json", is one of the charts written here. */
+static bool is_chart(const char *file)
+{
+    return strcmp(file, "growth.json") == 0 || strcmp(file, "memory.json") == 0;
+}
 
 static int write_chart(const char *out, const json_t *result, const char *name, json_t *scene,
                        struct error *err)
@@ -113,7 +121,7 @@ static int job_add_cell(struct job *job, const char *picture, const char *captio
 
 /* Adds one scene, "<student>/<exercise>/<case>" below OUT/pictures. */
 static int job_add_scene(struct job *job, const char *out, const char *stem, const char *caption,
-                         struct error *err)
+                         bool chart, struct error *err)
 {
     char scene[DOCUMENT_PATH_BYTES];
     char picture[DOCUMENT_PATH_BYTES];
@@ -128,14 +136,16 @@ static int job_add_scene(struct job *job, const char *out, const char *stem, con
         job->stale++;
         if (json_array_append_new(job->pictures,
                                   json_pack("{s:s, s:s, s:i, s:i}", "scene", scene, "out", picture,
-                                            "width", PICTURE_WIDTH, "height", PICTURE_HEIGHT)) != 0)
+                                            "width", chart ? CHART_WIDTH : PICTURE_WIDTH, "height",
+                                            chart ? CHART_HEIGHT : PICTURE_HEIGHT)) != 0)
             return error_set(err, "out of memory for a job");
     }
     return job_add_cell(job, picture, caption, err);
 }
 
+/* Adds the scenes of a student's exercise: those of its cases, or its charts. */
 static int job_add_folder(struct job *job, const char *out, const char *student,
-                          const char *exercise, struct error *err)
+                          const char *exercise, bool charts, struct error *err)
 {
     char path[DOCUMENT_PATH_BYTES];
     if (document_path(path, err, "%s/pictures/%s/%s", out, student, exercise) != 0)
@@ -145,10 +155,12 @@ static int job_add_folder(struct job *job, const char *out, const char *student,
     for (size_t i = 0; status == 0 && scenes[i]; i++) {
         char caption[300];
         size_t length = strlen(scenes[i]) - strlen(".json");
+        if (is_chart(scenes[i]) != charts)
+            continue;
         snprintf(caption, sizeof caption, "%s: %.*s", exercise, (int)length, scenes[i]);
         status = document_path(path, err, "%s/%s/%.*s", student, exercise, (int)length, scenes[i]);
         if (status == 0)
-            status = job_add_scene(job, out, path, caption, err);
+            status = job_add_scene(job, out, path, caption, charts, err);
     }
     free(scenes);
     return status;
@@ -191,8 +203,8 @@ static int draw(struct drawing *drawing, struct job *job, const char *sheet, con
     if (document_path(sheet_path, err, "%s/pictures/%s", drawing->out, sheet) != 0 ||
         document_path(path, err, "%s/pictures/job.json", drawing->out) != 0)
         return -1;
-    bool sheet_is_there = access(sheet_path, R_OK) == 0;
-    if (json_array_size(job->cells) == 0 || (job->stale == 0 && sheet_is_there))
+    bool sheet_was_there = access(sheet_path, R_OK) == 0;
+    if (json_array_size(job->cells) == 0 || (job->stale == 0 && sheet_was_there))
         return 0;
     if (!drawing->renderer) {
         note_undrawn(drawing, job->stale, drawing->reason);
@@ -207,10 +219,12 @@ static int draw(struct drawing *drawing, struct job *job, const char *sheet, con
     if (status != 0)
         return -1;
     struct words reason = {NULL, NULL};
-    enum renderer_end end = renderer_run(drawing->renderer, path, job->stale, &reason);
+    enum renderer_end end =
+        renderer_run(drawing->renderer, path, renderer_limit_ms(job->stale), &reason);
     unlink(path);
     size_t fresh = count_fresh(job, drawing->out);
-    drawing->drawn += (int)fresh + (access(sheet_path, R_OK) == 0 ? 1 : 0);
+    bool sheet_is_new = access(sheet_path, R_OK) == 0 && (fresh > 0 || !sheet_was_there);
+    drawing->drawn += (int)fresh + (sheet_is_new ? 1 : 0);
     note_undrawn(drawing, job->stale - fresh, reason.en ? reason : renderer_default_reason());
     drawing->useless_in_a_row = end == RENDERER_USELESS ? drawing->useless_in_a_row + 1 : 0;
     if (drawing->useless_in_a_row == USELESS_LIMIT)
@@ -225,10 +239,11 @@ static int draw_student(struct drawing *drawing, const struct gradebook *book,
     char sheet[200];
     snprintf(sheet, sizeof sheet, "%s/sheet.png", student->folder);
     int status = job_start(&job, err);
-    for (size_t e = 0; status == 0 && e < book->exercise_count; e++)
-        if (student->results[e])
-            status =
-                job_add_folder(&job, drawing->out, student->folder, book->exercises[e].name, err);
+    for (int charts = 0; charts < 2; charts++) /* what went wrong stands first on the sheet */
+        for (size_t e = 0; status == 0 && e < book->exercise_count; e++)
+            if (student->results[e])
+                status = job_add_folder(&job, drawing->out, student->folder,
+                                        book->exercises[e].name, charts, err);
     if (status == 0)
         status = draw(drawing, &job, sheet, student->folder, err);
     job_release(&job);
@@ -260,7 +275,7 @@ static int add_causes(struct job *job, const char *out, const struct gradebook *
         if (status == 0)
             status = document_path(picture, err, "%s/pictures/%s.png", out, stem);
         if (status == 0 && access(picture, R_OK) == 0)
-            status = job_add_scene(job, out, stem, caption, err);
+            status = job_add_scene(job, out, stem, caption, false, err);
     }
     causes_release(&causes);
     return status;

@@ -13,7 +13,7 @@
 
 extern char **environ;
 
-enum { FIRST_MS = 30000, PICTURE_MS = 10000, NOTHING_DRAWN = 2 };
+enum { NOTHING_DRAWN = 2, NOT_STARTED = 127 };
 
 struct words renderer_absent_reason(void)
 {
@@ -80,18 +80,23 @@ static bool wait_for(pid_t pid, int limit_ms, int *status)
     return ended;
 }
 
-enum renderer_end renderer_run(const char *program, const char *job_path, size_t picture_count,
+int renderer_limit_ms(size_t picture_count)
+{
+    enum { FIRST_MS = 30000, PICTURE_MS = 10000, MOST_PICTURES = 1000 };
+    size_t counted = picture_count < MOST_PICTURES ? picture_count : MOST_PICTURES;
+    return FIRST_MS + PICTURE_MS * (int)counted;
+}
+
+enum renderer_end renderer_run(const char *program, const char *job_path, int limit_ms,
                                struct words *reason)
 {
-    enum { MOST_PICTURES = 1000 };
-    size_t counted = picture_count < MOST_PICTURES ? picture_count : MOST_PICTURES;
     int status = 0;
     pid_t pid = 0;
     if (!program || start(program, job_path, &pid) != 0) {
         *reason = program ? not_started : renderer_absent_reason();
         return RENDERER_USELESS;
     }
-    if (!wait_for(pid, FIRST_MS + PICTURE_MS * (int)counted, &status)) {
+    if (!wait_for(pid, limit_ms, &status)) {
         *reason = out_of_time;
         return RENDERER_FAILED;
     }
@@ -103,7 +108,7 @@ enum renderer_end renderer_run(const char *program, const char *job_path, size_t
         *reason = no_gl;
         return RENDERER_USELESS;
     }
-    if (WEXITSTATUS(status) == 127) {
+    if (WEXITSTATUS(status) == NOT_STARTED) {
         *reason = not_started;
         return RENDERER_USELESS;
     }

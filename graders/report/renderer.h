@@ -12,14 +12,16 @@ enum renderer_end {
     RENDERER_USELESS /* it cannot draw here at all: no GL, cannot be started */
 };
 
-/* Runs the renderer on a job file and waits for it, at most 30 s and 10 s a picture; then it is
- * killed. Its own talk goes nowhere.
+/* Runs the renderer on a job file and waits for it, at most limit_ms; then it is killed. Its own
+ * talk goes nowhere.
  *
- * program        may be NULL: useless
- * picture_count  pictures in the job
- * reason         set when not everything was drawn, else left alone; static text */
-enum renderer_end renderer_run(const char *program, const char *job_path, size_t picture_count,
+ * program  may be NULL: useless
+ * reason   set when it did not end well, else left alone; static text */
+enum renderer_end renderer_run(const char *program, const char *job_path, int limit_ms,
                                struct words *reason);
+
+/* The limit for a job of that many pictures: 30 s, and 10 s a picture. */
+int renderer_limit_ms(size_t picture_count);
 
 /* Why pictures are missing: when the program is not there, and when nothing else is known. */
 struct words renderer_absent_reason(void);

@@ -9,11 +9,11 @@
   const assets = document.currentScript.src.replace(/[^/]*$/, "");
   const most_views = 6;
   const colours = {
-    missing: 0xd6202f, duplicate: 0xf28c13, extra: 0xc3179b, degenerate: 0x7a4fd0,
-    boundary: 0xf5c400, flipped: 0xe0662c, wrong: 0xd6202f
+    missing: 0xd6202f, duplicate: 0xf08a10, extra: 0xbe19a0, degenerate: 0x0068be,
+    boundary: 0xf0c400, flipped: 0x008c6e, wrong: 0x3c2878
   };
-  const strip_colours = [0x4c86b8, 0xd9a441, 0x5aa687, 0xb98bb8, 0x8aa3b5, 0xc9885f];
-  const front_colour = 0xd5dce6, back_colour = 0xf2c28f, voxel_colour = 0x8fb3d3, backdrop = 0xeef2f6;
+  const strip_colours = [0x56a0d3, 0xf0ba5c, 0x5cb896, 0xd68cb2, 0xece280, 0x9e96ce];
+  const front_colour = 0xdfe5ee, back_colour = 0xf2c28f, voxel_colour = 0x8fb3d3, backdrop = 0xeef2f6;
   const words = {
     failed: { en: "The 3D view could not be shown here (no WebGL?).", es: "La vista 3D no se pudo mostrar aquí (¿sin WebGL?)." },
     label: {
@@ -229,6 +229,7 @@
     const group = new THREE.Group();
     if (scene.kind === "strips") {
       add_strips(group, scene.strips || []);
+      if (scene.mesh) add_marks(group, scene.marks, floats_of(scene.mesh.positions), lines); /* what marks name */
     } else if (scene.kind === "voxels") {
       const cells = new THREE.Group(), beside = new THREE.Group();
       add_voxels(cells, scene.voxels);

@@ -1,0 +1,204 @@
+/* The pages of the sample class. Called with a folder, it writes pages and exports there and leaves
+ * them, for tests/cli/pages.t, which looks at them in a browser. */
+#include "graders/report/report.h"
+
+#include "tests/unit/report_sample.h"
+
+#include <glob.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static void make_pages(const char *out)
+{
+    struct error err = {""};
+    if (report_pages(out, ".", &err) != 0)
+        fail_msg("%s", err.text);
+}
+
+/* Calls `look` for each page below a folder with the page's path from it and its text. */
+static void each_page(const char *out, void (*look)(const char *out, const char *name, char *text))
+{
+    char pattern[200];
+    glob_t found;
+    snprintf(pattern, sizeof pattern, "%s/students/*.html", out);
+    assert_int_equal(glob(pattern, 0, NULL, &found), 0);
+    snprintf(pattern, sizeof pattern, "%s/index.html", out);
+    assert_int_equal(glob(pattern, GLOB_APPEND, NULL, &found), 0);
+    assert_int_equal(found.gl_pathc, 9);
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        const char *name = found.gl_pathv[i] + strlen(out) + 1;
+        char *text = sample_read(out, name);
+        look(out, name, text);
+        free(text);
+    }
+    globfree(&found);
+}
+
+static void look_for_markup(const char *out, const char *name, char *text)
+{
+    (void)out;
+    static const char *const never[] = {"<script>",    "<img src=x", "onerror=alert(1)>",
+                                        "javascript:", "\x1b",       "\xe2\x80\xae",
+                                        "style=\"",    " onload="};
+    for (size_t i = 0; i < sizeof never / sizeof *never; i++)
+        if (strstr(text, never[i]))
+            fail_msg("%s holds %s", name, never[i]);
+    assert_non_null(strstr(text, "Content-Security-Policy"));
+    assert_non_null(strstr(text, "lang=\"es\""));
+}
+
+/* What a page loads and where it leads is there, for every href and src. */
+static void look_for_files(const char *out, const char *name, char *text)
+{
+    static const char *const attributes[] = {" href=\"", " src=\"", " data-scene=\""};
+    const char *up = strchr(name, '/') ? "students/" : "";
+    for (size_t i = 0; i < sizeof attributes / sizeof *attributes; i++) {
+        for (const char *at = text; (at = strstr(at, attributes[i]));) {
+            char path[400];
+            at += strlen(attributes[i]);
+            size_t length = strcspn(at, "\"#");
+            snprintf(path, sizeof path, "%s/%s%.*s", out, up, (int)length, at);
+            if (length > 0 && access(path, R_OK) != 0)
+                fail_msg("%s names %s, which is not there", name, path);
+        }
+    }
+}
+
+static void test_no_text_of_others_is_markup(void **state)
+{
+    (void)state;
+    char out[64];
+    sample_copy(out);
+    make_pages(out);
+    each_page(out, look_for_markup);
+    sample_remove(out);
+}
+
+static void test_what_pages_name_is_there(void **state)
+{
+    (void)state;
+    char out[64];
+    sample_copy(out);
+    make_pages(out);
+    each_page(out, look_for_files);
+    sample_remove(out);
+}
+
+static void test_making_pages_again_changes_nothing(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"index.html", "students/ana-garcia.html", "assets/page.css",
+                                        "pictures/ana-garcia/edge-table-any/disc.js"};
+    char out[64];
+    char path[300];
+    struct stat before[4];
+    struct stat after;
+    sample_copy(out);
+    make_pages(out);
+    for (size_t i = 0; i < 4; i++) {
+        snprintf(path, sizeof path, "%s/%s", out, names[i]);
+        assert_int_equal(stat(path, &before[i]), 0);
+    }
+    make_pages(out);
+    for (size_t i = 0; i < 4; i++) {
+        snprintf(path, sizeof path, "%s/%s", out, names[i]);
+        assert_int_equal(stat(path, &after), 0);
+        assert_int_equal(before[i].st_ino, after.st_ino);
+    }
+    sample_remove(out);
+}
+
+static void test_the_class_page_says_what_matters(void **state)
+{
+    (void)state;
+    char out[64];
+    sample_copy(out);
+    make_pages(out);
+    char *text = sample_read(out, "index.html");
+    assert_non_null(strstr(text, "duplicate edge"));
+    assert_non_null(strstr(text, "Ana García Ñíguez"));
+    assert_non_null(strstr(text, "landlock: the kernel has no Landlock"));
+    assert_non_null(strstr(text, "cache-misses: valgrind is not installed"));
+    assert_non_null(strstr(text, "The judge did not answer, twice"));
+    assert_non_null(strstr(text, "href=\"students/ana-garcia.html#edge-table-any\""));
+    free(text);
+    sample_remove(out);
+}
+
+static void test_the_reason_for_missing_pictures_is_on_the_pages(void **state)
+{
+    (void)state;
+    char out[64];
+    sample_copy(out);
+    assert_int_equal(report_pictures(out, NULL, NULL), 0);
+    make_pages(out);
+    char *text = sample_read(out, "index.html");
+    assert_non_null(strstr(text, "Pictures were not drawn: "));
+    assert_non_null(strstr(text, "meshgrade-render is not there"));
+    free(text);
+    sample_remove(out);
+}
+
+static void test_unsound_input_makes_no_page(void **state)
+{
+    (void)state;
+    char out[64];
+    char path[200];
+    struct error err = {""};
+    sample_copy(out);
+    snprintf(path, sizeof path, "%s/results/s3/mesh-area.json", out);
+    assert_int_equal(truncate(path, 100), 0);
+    assert_int_equal(report_pages(out, ".", &err), -1);
+    assert_non_null(strstr(err.text, "results/s3/mesh-area.json"));
+    err.text[0] = '\0';
+    assert_int_equal(report_grades(out, &err), -1);
+    assert_int_equal(report_pictures(out, NULL, &err), -1);
+    sample_remove(out);
+
+    sample_copy(out);
+    err.text[0] = '\0';
+    assert_int_equal(report_pages(out, "/tmp/meshgrade-no-such-tree", &err), -1);
+    assert_non_null(strstr(err.text, "page.css"));
+    sample_remove(out);
+}
+
+static int leave_report(const char *out)
+{
+    static const char *const exports[] = {"junit", "gradescope"};
+    struct error err = {""};
+    if (report_pages(out, ".", &err) != 0 || report_grades(out, &err) != 0)
+        fprintf(stderr, "%s\n", err.text);
+    for (size_t i = 0; i < 2 && err.text[0] == '\0'; i++) {
+        struct export_selection everyone = {0};
+        char path[300];
+        snprintf(path, sizeof path, "%s/%s", out, exports[i]);
+        FILE *to = fopen(path, "w");
+        if (!to || report_export(out, exports[i], &everyone, to, &err) != 0 || fclose(to) != 0)
+            fprintf(stderr, "%s: %s\n", path, err.text);
+    }
+    return err.text[0] ? 1 : 0;
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_no_text_of_others_is_markup),
+        cmocka_unit_test(test_what_pages_name_is_there),
+        cmocka_unit_test(test_making_pages_again_changes_nothing),
+        cmocka_unit_test(test_the_class_page_says_what_matters),
+        cmocka_unit_test(test_the_reason_for_missing_pictures_is_on_the_pages),
+        cmocka_unit_test(test_unsound_input_makes_no_page),
+    };
+    return argc > 1 ? leave_report(argv[1]) : cmocka_run_group_tests(tests, NULL, NULL);
+}

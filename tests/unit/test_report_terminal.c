@@ -1,0 +1,152 @@
+/* Results on a terminal: three telling lines, 80 columns, nothing of others that acts. */
+#include "graders/report/terminal.h"
+
+#include "graders/report/clean.h"
+#include "tests/unit/report_sample.h"
+
+#include <glob.h>
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static char *print(const json_t *result, struct terminal_style style)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *to = open_memstream(&text, &length);
+    assert_non_null(to);
+    if (json_is_array(result))
+        terminal_print_marks(to, result, &style);
+    else
+        terminal_print_result(to, result, &style);
+    fclose(to);
+    assert_int_equal(strlen(text), length);
+    return text;
+}
+
+/* Every line within 80 columns, but for the command that is there to be copied. */
+static void assert_fits(const char *text)
+{
+    char *copy = strdup(text);
+    char *rest = copy;
+    for (char *line; (line = strsep(&rest, "\n"));) {
+        bool is_command = strstr(line, "meshgrade check ") != NULL;
+        if (clean_columns(line) > 80 && !is_command)
+            fail_msg("%zu columns: %s", clean_columns(line), line);
+    }
+    free(copy);
+}
+
+static void assert_inert(const char *text)
+{
+    for (const char *c = text; *c; c++)
+        assert_true((unsigned char)*c >= 0x20 || *c == '\n');
+    assert_null(strstr(text, "\xe2\x80\xae"));
+}
+
+static void test_three_lines_say_what_where_and_how(void **state)
+{
+    (void)state;
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    char *text = print(result, (struct terminal_style){0});
+    static const char start[] =
+        "✗ Edge (0,17) lies on the boundary and is listed twice, at 41 and 58.\n"
+        "  where   edge 41 (0,17), case disc (Open meshes)\n"
+        "  again   meshgrade check edge-table-any FILE... --case disc\n\n"
+        "4.5 (a) Edge table of any mesh                                           8 / 10\n"
+        "  ✓ Closed meshes                             2 of 2 cases                2 / 2\n"
+        "  ✗ Open meshes                               1 of 3 cases                0 / 2\n";
+    if (strncmp(text, start, strlen(start)) != 0)
+        fail_msg("got:\n%s", text);
+    assert_non_null(strstr(text, "Other rejected cases\n  grid-hole: Edge (12,25)"));
+    free(text);
+
+    text = print(result, (struct terminal_style){.spanish = true});
+    assert_non_null(strstr(text, "  dónde   edge 41 (0,17), caso disc (Mallas abiertas)\n"));
+    assert_non_null(strstr(text, "Otros casos rechazados\n"));
+    free(text);
+    json_decref(result);
+}
+
+static void test_a_long_message_is_cut_and_then_told_whole(void **state)
+{
+    (void)state;
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    size_t i;
+    json_t *one;
+    char message[401] = "";
+    for (int word = 0; word < 40; word++)
+        strcat(message, "longwords ");
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        json_object_set_new(json_object_get(one, "message"), "en", json_string(message));
+    }
+    char *text = print(result, (struct terminal_style){0});
+    assert_fits(text);
+    const char *first_end = strchr(text, '\n');
+    assert_int_equal(strncmp(first_end - 3, "...", 3), 0);
+    assert_int_equal(strncmp(first_end, "\n  where   edge 41", 18), 0);
+    assert_non_null(strstr(text, "\n\n  longwords longwords"));
+    free(text);
+    json_decref(result);
+}
+
+static void test_every_verdict_fits_and_is_inert(void **state)
+{
+    (void)state;
+    glob_t found;
+    assert_int_equal(glob("tests/unit/data/results/*/*.json", 0, NULL, &found), 0);
+    json_t *all = json_array();
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        json_t *result = json_load_file(found.gl_pathv[i], JSON_ALLOW_NUL, NULL);
+        for (int spanish = 0; spanish < 2; spanish++) {
+            char *text = print(result, (struct terminal_style){.spanish = spanish});
+            assert_fits(text);
+            assert_inert(text);
+            free(text);
+        }
+        json_array_append_new(all, result);
+    }
+    globfree(&found);
+    char *text = print(all, (struct terminal_style){0});
+    assert_fits(text);
+    assert_inert(text);
+    assert_non_null(strstr(text, "Ana García Ñíguez                ✓ 10            ◐ 8"));
+    assert_non_null(strstr(text, "17.5 + ?"));
+    free(text);
+    json_decref(all);
+}
+
+static void test_colour_only_when_asked_for(void **state)
+{
+    (void)state;
+    json_t *result = sample_result("s5", "edge-table-any");
+    char *plain = print(result, (struct terminal_style){0});
+    char *coloured = print(result, (struct terminal_style){.colour = true});
+    assert_null(strchr(plain, 0x1b));
+    assert_non_null(strstr(coloured, "\x1b[1;31m"));
+    assert_null(strstr(coloured, "\x1b[2J")); /* what the student wrote */
+    assert_null(strstr(coloured, "\x1b]8"));
+    free(plain);
+    free(coloured);
+    json_decref(result);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_three_lines_say_what_where_and_how),
+        cmocka_unit_test(test_a_long_message_is_cut_and_then_told_whole),
+        cmocka_unit_test(test_every_verdict_fits_and_is_inert),
+        cmocka_unit_test(test_colour_only_when_asked_for),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
