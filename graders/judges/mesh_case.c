@@ -138,21 +138,25 @@ static int grow(struct mesh *mesh, int64_t vertices_before, int64_t vertices_aft
     return 0;
 }
 
-/* Adds `count` degenerate triangles, each from a vertex of a triangle to a new vertex beside it:
- * the only triangle of that edge. */
-static int add_spikes(struct mesh *mesh, int64_t count, struct error *err)
+/* Adds `count` degenerate triangles with a new vertex each: spikes (a,a,m), with m beside a, the
+ * only triangle of that edge; or collinear ones (a,m,b), with m halfway from a to b. */
+static int add_flat_triangles(struct mesh *mesh, int64_t count, bool collinear, struct error *err)
 {
     int64_t vertex_count = mesh->vertex_count, triangle_count = mesh->triangle_count;
     if (grow(mesh, 0, count, count, err))
         return -1;
     for (int64_t i = 0; i < count; i++) {
-        int32_t from = mesh->triangles[3 * (i * triangle_count / count)];
-        int32_t to = (int32_t)(vertex_count + i);
-        for (int axis = 0; axis < 3; axis++)
-            mesh->positions[3 * (int64_t)to + axis] =
-                1.1F * mesh->positions[3 * (int64_t)from + axis];
-        for (int corner = 0; corner < 3; corner++)
-            mesh->triangles[3 * (triangle_count + i) + corner] = corner == i % 3 ? to : from;
+        const int32_t *from = mesh->triangles + 3 * (i * triangle_count / count);
+        int32_t a = from[0], b = collinear ? from[1] : a, m = (int32_t)(vertex_count + i);
+        for (int axis = 0; axis < 3; axis++) {
+            float pa = mesh->positions[3 * (int64_t)a + axis];
+            float pb = mesh->positions[3 * (int64_t)b + axis];
+            mesh->positions[3 * (int64_t)m + axis] = collinear ? 0.5F * (pa + pb) : 1.1F * pa;
+        }
+        int32_t *triangle = mesh->triangles + 3 * (triangle_count + i);
+        triangle[i % 3] = m;
+        triangle[(i + 1) % 3] = a;
+        triangle[(i + 2) % 3] = b;
     }
     return 0;
 }
@@ -190,7 +194,9 @@ static int change_elements(struct mesh *mesh, int64_t changes, uint64_t seed, st
     if ((changes & WITH_DEGENERATE) &&
         change_add_degenerate_triangles(mesh, part(triangles, 8), seed, err))
         return -1;
-    if ((changes & WITH_SPIKES) && add_spikes(mesh, part(triangles, 8), err))
+    if ((changes & WITH_COLLINEAR) && add_flat_triangles(mesh, part(triangles, 8), true, err))
+        return -1;
+    if ((changes & WITH_SPIKES) && add_flat_triangles(mesh, part(triangles, 8), false, err))
         return -1;
     return 0;
 }

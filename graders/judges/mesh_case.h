@@ -39,16 +39,17 @@ enum mesh_change {
     WITH_ISOLATED = 1 << 2,   /* a quarter more vertices */
     WITH_DUPLICATES = 1 << 3, /* 1/8 of the triangles listed twice */
     WITH_DEGENERATE = 1 << 4, /* 1/8 more, on edges that are there already */
-    WITH_SPIKES = 1 << 5,     /* 1/8 more (a,a,b), each with an edge of its own */
-    FLIPPED = 1 << 6,         /* each triangle reversed with probability 1/2 */
-    REVERSED = 1 << 7,
-    TILTED = 1 << 8,     /* turned by 1 radian around (1,2,3), so that no side lies along an axis */
-    TINY = 1 << 9,       /* scaled by 2^-40, about 10^-12 */
-    HUGE_SIZE = 1 << 10, /* scaled by 2^40 */
-    FAR = 1 << 11,       /* scaled by 32 and moved by (10^6, -10^6, 10^6) */
-    SCRAMBLED = 1 << 12,
-    ADVERSARIAL = 1 << 13,
-    HIGH_NUMBERS = 1 << 14 /* 66,000 unused vertices before all others: a part of a large mesh */
+    WITH_COLLINEAR = 1 << 5,  /* 1/8 more (a,m,b), m a new vertex halfway from a to b */
+    WITH_SPIKES = 1 << 6,     /* 1/8 more (a,a,b), each with an edge of its own */
+    FLIPPED = 1 << 7,         /* each triangle reversed with probability 1/2 */
+    REVERSED = 1 << 8,
+    TILTED = 1 << 9,     /* turned by 1 radian around (1,2,3), so that no side lies along an axis */
+    TINY = 1 << 10,      /* scaled by 2^-40, about 10^-12 */
+    HUGE_SIZE = 1 << 11, /* scaled by 2^40 */
+    FAR = 1 << 12,       /* scaled by 32 and moved by (10^6, -10^6, 10^6) */
+    SCRAMBLED = 1 << 13,
+    ADVERSARIAL = 1 << 14,
+    HIGH_NUMBERS = 1 << 15 /* 66,000 unused vertices before all others: a part of a large mesh */
 };
 
 /* Makes the mesh of a case.

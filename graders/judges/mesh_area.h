@@ -1,0 +1,28 @@
+/* The area of a mesh for a judge: exact, and as the usual mistakes would compute it. */
+#ifndef GRADERS_JUDGES_MESH_AREA_H
+#define GRADERS_JUDGES_MESH_AREA_H
+
+#include "graders/judges/mesh_case.h"
+
+/* Sums over all triangles. */
+struct area_sums {
+    double exact;         /* summed in extended precision from exact differences of positions */
+    double without_first; /* without the first triangle */
+    double without_last;
+    double squares;        /* half the squared length of the cross products: no square root */
+    double by_float;       /* double areas added up in a float */
+    double all_float;      /* everything in float */
+    double absolute_float; /* a x b + b x c + c x a of the positions, in float */
+    double seen_from_z;    /* of the projections onto the plane z = 0 */
+    double facing_up;      /* of the triangles seen counter-clockwise from above */
+    double vector;         /* length of the sum of the cross products, halved */
+    int32_t first_flat;    /* the first triangle of area 0, -1: none */
+};
+
+/* The exact area only; the error is below 10^-12 of it, needles included. O(F). */
+double mesh_area_exact(const struct mesh_view *view);
+
+/* All sums. */
+struct area_sums mesh_area_sums(const struct mesh_view *view);
+
+#endif

@@ -1,0 +1,250 @@
+/* The judge of the area: its own sum against areas known by formula, answers of every kind, and
+ * known submissions. */
+#include "graders/judges/mesh_area.h"
+#include "reference/mesh/generate.h"
+#include "reference/mesh/random.h"
+#include "tests/unit/submissions.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+extern const struct judge judge_mesh_area;
+
+static struct mesh_view view_of(const struct mesh *mesh)
+{
+    return (struct mesh_view){.positions = mesh->positions,
+                              .triangles = mesh->triangles,
+                              .vertex_count = mesh->vertex_count,
+                              .triangle_count = mesh->triangle_count};
+}
+
+static void assert_area(const struct mesh *mesh, double wanted, double relative_error)
+{
+    struct mesh_view view = view_of(mesh);
+    double area = mesh_area_exact(&view);
+    if (!(fabs(area - wanted) <= relative_error * wanted))
+        fail_msg("the area is %.17g, wanted %.17g", area, wanted);
+}
+
+static void areas_known_by_formula_come_out(void **state)
+{
+    (void)state;
+    struct mesh mesh;
+    assert_int_equal(generate_cube(&mesh, NULL), 0);
+    assert_area(&mesh, 6, 0);
+    change_translate(&mesh, 1e6F, -1e6F, 1e6F); /* the corners are exact there too */
+    assert_area(&mesh, 6, 0);
+    change_scale(&mesh, 0x1p-40F);
+    assert_area(&mesh, 6 * 0x1p-80, 0);
+    mesh_release(&mesh);
+    assert_int_equal(generate_tetrahedron(&mesh, NULL), 0);
+    assert_area(&mesh, 2 * sqrt(3), 1e-15);
+    mesh_release(&mesh);
+    assert_int_equal(generate_icosphere(&mesh, 6, NULL), 0);
+    assert_area(&mesh, M_PI, 1e-3); /* inscribed */
+    mesh_release(&mesh);
+    assert_int_equal(generate_empty(&mesh, NULL), 0);
+    assert_area(&mesh, 0, 0);
+}
+
+/* Needles lie along x with one height: their bases tell the area. */
+static void needles_keep_their_digits(void **state)
+{
+    (void)state;
+    static const double ratios[] = {1, 1e-3, 1e-6, 1e-9};
+    for (size_t i = 0; i < sizeof ratios / sizeof *ratios; i++) {
+        struct mesh mesh;
+        double bases = 0;
+        assert_int_equal(generate_needles(&mesh, 500, ratios[i], 1, NULL), 0);
+        for (int32_t t = 0; t < mesh.triangle_count; t++)
+            bases += (double)mesh.positions[3 * (t + 2)] - (double)mesh.positions[3 * t];
+        double height = (double)mesh.positions[4];
+        assert_area(&mesh, bases * height / 2, 1e-12);
+        mesh_release(&mesh);
+    }
+}
+
+static void order_and_orientation_do_not_matter(void **state)
+{
+    (void)state;
+    struct mesh mesh;
+    assert_int_equal(generate_torus(&mesh, 3, 5000, NULL), 0);
+    struct mesh_view view = view_of(&mesh);
+    double area = mesh_area_exact(&view);
+    for (uint64_t seed = 0; seed < 10; seed++) {
+        assert_int_equal(change_scramble(&mesh, seed, NULL), 0);
+        assert_int_equal(change_flip(&mesh, 0.5, seed, NULL), 0);
+        assert_area(&mesh, area, 1e-15);
+    }
+    mesh_release(&mesh);
+}
+
+/* -------------------------------------------------------------------------------------- answers */
+
+static bool judge_packet(const struct writer *input, const void *bytes, size_t count,
+                         struct judgement *judgement)
+{
+    struct error err = {0};
+    *judgement = (struct judgement){0};
+    struct span in = {input->bytes, input->count}, answer = {bytes, count};
+    assert_int_equal(judge_mesh_area.judge(in, answer, NULL, judgement, &err), 0);
+    if (!judgement->accepted) {
+        assert_true(judgement->cause[0] && judgement->message[0] && judgement->message_es[0]);
+        assert_true(strlen(judgement->message) + 1 < sizeof judgement->message);
+        assert_true(strlen(judgement->message_es) + 1 < sizeof judgement->message_es);
+    }
+    json_t *scene = scene_to_json(&judgement->scene);
+    assert_non_null(scene);
+    json_decref(scene);
+    scene_release(&judgement->scene);
+    return judgement->accepted;
+}
+
+static void make_input(const struct judge_case *c, struct writer *input)
+{
+    struct error err = {0};
+    *input = writer_growing();
+    if (judge_mesh_area.make(c, "exercises/models", input, &err))
+        fail_msg("%s", err.text);
+}
+
+static const struct judge_case cube = {.name = "cube", .parameter = {SHAPE_CUBE}};
+static const struct judge_case points = {.name = "points", .parameter = {SHAPE_POINT_TRIANGLES, 3}};
+static const struct judge_case spiky = {.name = "spiky",
+                                        .parameter = {SHAPE_CUBE, 0, 0, WITH_SPIKES}};
+
+static void only_areas_within_the_tolerance_are_accepted(void **state)
+{
+    (void)state;
+    static const struct {
+        double area;
+        bool accepted;
+    } answers[] = {
+        {6, true},
+        {6 * (1 + 0.99e-6), true},
+        {6 * (1 - 0.99e-6), true},
+        {6 * (1 + 1.01e-6), false},
+        {6 * (1 - 1.01e-6), false},
+        {-6, false},
+        {0, false},
+        {-0.0, false},
+        {(double)NAN, false},
+        {-(double)NAN, false},
+        {HUGE_VAL, false},
+        {-HUGE_VAL, false},
+        {1e308, false},
+        {5e-324, false},
+        {12, false},
+    };
+    struct writer input;
+    struct judgement judgement;
+    make_input(&cube, &input);
+    for (size_t i = 0; i < sizeof answers / sizeof *answers; i++)
+        assert_int_equal(judge_packet(&input, &answers[i].area, sizeof(double), &judgement),
+                         answers[i].accepted);
+    writer_release(&input);
+    make_input(&points, &input);
+    for (size_t i = 0; i < sizeof answers / sizeof *answers; i++)
+        assert_int_equal(judge_packet(&input, &answers[i].area, sizeof(double), &judgement),
+                         answers[i].area == 0);
+    writer_release(&input);
+}
+
+static void any_bytes_are_survived(void **state)
+{
+    (void)state;
+    struct random rng;
+    struct writer input;
+    struct judgement judgement;
+    make_input(&spiky, &input);
+    struct mesh_view view = mesh_case_read((struct span){input.bytes, input.count});
+    double exact = mesh_area_exact(&view);
+    random_init(&rng, 1);
+    for (int round = 0; round < 4000; round++) {
+        double area = exact;
+        unsigned char bytes[sizeof area];
+        memcpy(bytes, &area, sizeof area);
+        for (uint64_t changes = 1 + random_below(&rng, 3); changes > 0; changes--)
+            bytes[random_below(&rng, sizeof bytes)] = (unsigned char)random_below(&rng, 256);
+        memcpy(&area, bytes, sizeof area);
+        bool is_right = isfinite(area) && fabs(area - exact) <= 1e-6 * exact;
+        assert_int_equal(judge_packet(&input, bytes, sizeof bytes, &judgement), is_right);
+        size_t cut = (size_t)random_below(&rng, sizeof bytes);
+        assert_false(judge_packet(&input, bytes, cut, &judgement));
+        assert_string_equal(judgement.cause, "malformed-answer");
+    }
+    writer_release(&input);
+}
+
+static void assert_says(const struct judge_case *c, double factor, const char *cause,
+                        const char *in_message)
+{
+    struct writer input;
+    struct judgement judgement;
+    make_input(c, &input);
+    struct mesh_view view = mesh_case_read((struct span){input.bytes, input.count});
+    double area = factor * mesh_area_exact(&view);
+    assert_false(judge_packet(&input, &area, sizeof area, &judgement));
+    assert_string_equal(judgement.cause, cause);
+    if (!strstr(judgement.message, in_message))
+        fail_msg("\"%s\" does not say \"%s\"", judgement.message, in_message);
+    writer_release(&input);
+}
+
+static void usual_mistakes_are_guessed(void **state)
+{
+    (void)state;
+    assert_says(&cube, 2, "wrong-area", "the area is 12 instead of 6: relative error 1");
+    assert_says(&cube, 2, "wrong-area", "It is twice the area");
+    assert_says(&cube, -1, "negative-area", "its sign reversed");
+    assert_says(&cube, 11.0 / 12, "wrong-area", "The last triangle is missing");
+    assert_says(&cube, 1.0 / 12, "wrong-area", "the mean area");
+    assert_says(&cube, 0.7, "wrong-area", "allowed 0.000001.");
+    assert_says(&spiky, (double)NAN, "not-a-number", "Triangle 12 has area 0");
+    assert_says(&cube, HUGE_VAL, "not-a-number", "the area is infinity instead of 6");
+}
+
+static void inputs_are_valid(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < judge_mesh_area.case_count; i++) {
+        struct writer input;
+        make_input(&judge_mesh_area.cases[i], &input);
+        struct reader reader = reader_of(input.bytes, input.count);
+        int64_t vertex_count = read_int(&reader), triangle_count = read_int(&reader);
+        read_array(&reader, vertex_count, 3 * sizeof(float));
+        const int32_t *triangles = read_array(&reader, triangle_count, 3 * sizeof(int32_t));
+        assert_false(reader.failed);
+        assert_int_equal(reader.at, input.count);
+        for (int64_t k = 0; k < 3 * triangle_count; k++)
+            if (triangles[k] < 0 || triangles[k] >= vertex_count)
+                fail_msg("case %s: index %d", judge_mesh_area.cases[i].name, triangles[k]);
+        writer_release(&input);
+    }
+}
+
+static void submissions_are_told_apart(void **state)
+{
+    (void)state;
+    submissions_check(&judge_mesh_area, "processing");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(areas_known_by_formula_come_out),
+        cmocka_unit_test(needles_keep_their_digits),
+        cmocka_unit_test(order_and_orientation_do_not_matter),
+        cmocka_unit_test(only_areas_within_the_tolerance_are_accepted),
+        cmocka_unit_test(any_bytes_are_survived),
+        cmocka_unit_test(usual_mistakes_are_guessed),
+        cmocka_unit_test(inputs_are_valid),
+        cmocka_unit_test(submissions_are_told_apart),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
