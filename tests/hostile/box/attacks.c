@@ -78,10 +78,14 @@ static int map_bomb(void)
 
 static int fork_bomb(void)
 {
-    for (int i = 0; i < 1000; i++)
-        if (fork() >= 0)
-            return SUCCEEDED;
-    return SUCCEEDED;
+    int born = 0;
+    for (int i = 0; i < 100; i++) {
+        pid_t child = fork();
+        if (child == 0)
+            sleep_forever();
+        born += child > 0;
+    }
+    return born ? SUCCEEDED : HARMLESS;
 }
 
 static int vfork_once(void)
@@ -287,6 +291,37 @@ static int use_slots(void)
     return HARMLESS;
 }
 
+/* Leaves children behind that let go of everything that held them, and ends well. */
+static int leave_children(void)
+{
+    for (int i = 0; i < 3; i++) {
+        pid_t child = fork();
+        if (child == 0) {
+            setsid();
+            for (int fd = 0; fd < 64; fd++)
+                close(fd);
+            if (fork() >= 0)
+                sleep_forever();
+            _exit(0);
+        }
+        if (child < 0)
+            return SUCCEEDED;
+    }
+    return 0;
+}
+
+static int write_outside(void)
+{
+    static const char *const paths[] = {"/tmp/box-test-escaped", "/etc/box-test-escaped",
+                                        "/usr/box-test-escaped", "/dev/shm/box-test-escaped",
+                                        "/proc/self/../../box-test-escaped"};
+    int written = 0;
+    for (size_t i = 1; i < sizeof paths / sizeof paths[0]; i++)
+        written += open(paths[i], O_CREAT | O_WRONLY, 0600) >= 0;
+    open(paths[0], O_CREAT | O_WRONLY, 0600); /* its own /tmp is its own affair */
+    return written ? SUCCEEDED : HARMLESS;
+}
+
 static int exit_zero(void)
 {
     return 0;
@@ -329,6 +364,8 @@ static const struct {
     {"io-uring", uring},
     {"read-parent-memory", read_parent_memory},
     {"use-slots", use_slots},
+    {"leave-children", leave_children},
+    {"write-outside", write_outside},
     {"exit-zero", exit_zero},
 };
 

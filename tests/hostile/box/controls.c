@@ -96,7 +96,10 @@ static int locales(void)
     mbstowcs(wide, "abc", 10);
     if (!setlocale(LC_ALL, "C") || toupper('a') != 'A')
         return 1;
-    return 0;
+    time_t now = time(NULL);
+    struct tm *local = localtime(&now); /* looks for the time zone */
+    char text[100];
+    return local && strftime(text, sizeof text, "%Y-%m-%d", local) ? 0 : 2;
 }
 
 static int times(void)
@@ -104,16 +107,12 @@ static int times(void)
     clock_t start = clock();
     time_t now = time(NULL);
     struct timespec precise;
-    char text[100];
     if (start == (clock_t)-1 || now == (time_t)-1 || clock_gettime(CLOCK_MONOTONIC, &precise))
         return 1;
-    struct tm *local = localtime(&now); /* looks for the time zone */
-    if (!local || !strftime(text, sizeof text, "%Y-%m-%d", local))
-        return 2;
     if (nanosleep(&(struct timespec){.tv_nsec = 1000}, NULL))
-        return 3;
+        return 2;
     srand((unsigned)now);
-    return rand() >= 0 ? 0 : 4;
+    return rand() >= 0 ? 0 : 3;
 }
 
 static volatile sig_atomic_t caught;
@@ -161,6 +160,30 @@ static int stdio_files(void)
     return isatty(1) ? 2 : 0;
 }
 
+/* Answers on descriptor 5 what it reads on 4, and may neither write nor grow 4. */
+static int descriptors(void)
+{
+    char text[16] = "";
+    if (read(4, text, 5) != 5 || strcmp(text, "input") != 0)
+        return 1;
+    if (pwrite(4, "x", 1, 0) >= 0)
+        return 2;
+    return write(5, "answer", 6) == 6 && write(3, "control", 7) == 7 ? 0 : 3;
+}
+
+/* Holds 16 MiB, says so on descriptor 3, and waits. */
+static int hold(void)
+{
+    size_t bytes = 16 << 20;
+    volatile char *block = malloc(bytes);
+    for (size_t i = 0; block && i < bytes; i += 4096)
+        block[i] = 1;
+    if (!block || write(3, "held", 4) != 4)
+        return 1;
+    nanosleep(&(struct timespec){.tv_sec = 1000}, NULL);
+    return 2;
+}
+
 static int nothing(void)
 {
     return 0;
@@ -181,6 +204,8 @@ static const struct {
     {"assert", fail_assertion},
     {"corrupt-heap", corrupt_heap},
     {"smash-stack", smash_stack},
+    {"descriptors", descriptors},
+    {"hold", hold},
 };
 
 int main(int argc, char **argv)

@@ -1,0 +1,492 @@
+/* The box under attack: every hostile program has exactly the end that it must have, honest ones
+ * run, and nothing is left behind; as root, as a plain user, and on machines that grant less. */
+#include "tests/unit/box_bench.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/pidfd.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#define OFF(name) (1u << BOX_##name)
+
+enum { HARMLESS = 7, CANNOT_PLAY = 100 };
+
+static const uint32_t all_namespaces = OFF(USER_NAMESPACE) | OFF(PID_NAMESPACE) |
+                                       OFF(MOUNT_NAMESPACE) | OFF(NET_NAMESPACE) |
+                                       OFF(IPC_NAMESPACE) | OFF(UTS_NAMESPACE);
+static const uint32_t all_groups = OFF(CGROUP_MEMORY) | OFF(CGROUP_PIDS) | OFF(CGROUP_CPU);
+
+#define FORBIDDEN(attack, call_name, text)                                                         \
+    {                                                                                              \
+        .name = attack, .end = BOX_ENDED_FORBIDDEN, .call = call_name, .detail = text              \
+    }
+#define PROCESS(attack, call_name)                                                                 \
+    {                                                                                              \
+        .name = attack, .end = BOX_ENDED_FORBIDDEN, .call = call_name, .is_process = true          \
+    }
+
+/* What each attack must end in wherever seccomp is active. */
+static const struct box_bench_end attacks[] = {
+    {.name = "loop", .end = BOX_ENDED_CPU, .slow = true},
+    {.name = "ignore-cpu-limit", .end = BOX_ENDED_CPU, .slow = true},
+    {.name = "sleep", .end = BOX_ENDED_KILLED},
+    {.name = "malloc-bomb", .end = BOX_ENDED_MEMORY, .needs_group = true},
+    {.name = "map-bomb", .end = BOX_ENDED_MEMORY, .needs_group = true},
+    PROCESS("fork-bomb", "clone"),
+    PROCESS("vfork", "vfork"),
+    PROCESS("leave-children", "clone"),
+    {.name = "write-everywhere", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+    FORBIDDEN("read-passwd", "openat", "openat /etc/passwd"),
+    FORBIDDEN("read-at-page-end", "openat", "openat /etc/shadow?"),
+    FORBIDDEN("read-wild-path", "openat", "openat "),
+    FORBIDDEN("locale-escape", "openat", "openat /usr/lib/locale/../../../etc/passwd"),
+    FORBIDDEN("write-outside", "openat", "openat /etc/box-test-escaped"),
+    FORBIDDEN("kill-parent", "kill", NULL),
+    FORBIDDEN("kill-all", "kill", "kill -1, signal 9"),
+    FORBIDDEN("kill-thread-of-parent", "tgkill", NULL),
+    FORBIDDEN("raise-kill", "tgkill", NULL),
+    FORBIDDEN("trace", "ptrace", "ptrace"),
+    FORBIDDEN("read-parent-memory", "process_vm_readv", NULL),
+    FORBIDDEN("socket", "socket", "socket"),
+    FORBIDDEN("set-dumpable", "prctl", NULL),
+    FORBIDDEN("raise-limits", "prlimit64", NULL),
+    FORBIDDEN("unpin", "sched_setaffinity", NULL),
+    FORBIDDEN("shell", "execve", "execve /bin/sh"),
+    FORBIDDEN("io-uring", "io_uring_setup", NULL),
+    {.name = "int-0x80", .end = BOX_ENDED_FORBIDDEN},
+    {.name = "stack-overflow", .end = BOX_ENDED_SIGNAL, .code = SIGSEGV},
+    {.name = "crash", .end = BOX_ENDED_SIGNAL, .code = SIGSEGV},
+    {.name = "abort", .end = BOX_ENDED_SIGNAL, .code = SIGABRT},
+    {.name = "use-slots", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+    {.name = "exit-zero", .end = BOX_ENDED_EXIT},
+    {.name = NULL},
+};
+
+/* What rlimits end. */
+static const struct box_bench_end floods[] = {
+    {.name = "flood", .end = BOX_ENDED_OUTPUT},
+    {.name = "flood-ignoring", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+    {.name = NULL},
+};
+
+/* Where a container's own filter may answer first. */
+static const struct box_bench_end attacks_on_namespaces[] = {
+    PROCESS("thread", "clone3"),
+    FORBIDDEN("unshare", "unshare", NULL),
+    {.name = NULL},
+};
+static const struct box_bench_end attacks_in_container[] = {
+    PROCESS("thread", "clone"),
+    {.name = "unshare", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+    {.name = NULL},
+};
+
+static const struct box_bench_end controls[] = {
+    {.name = "nothing", .end = BOX_ENDED_EXIT},
+    {.name = "allocate", .end = BOX_ENDED_EXIT},
+    {.name = "sort", .end = BOX_ENDED_EXIT},
+    {.name = "print", .end = BOX_ENDED_EXIT},
+    {.name = "times", .end = BOX_ENDED_EXIT},
+    {.name = "signals", .end = BOX_ENDED_EXIT},
+    {.name = "stdio-files", .end = BOX_ENDED_EXIT},
+    {.name = "assert", .end = BOX_ENDED_SIGNAL, .code = SIGABRT},
+    {.name = "corrupt-heap", .end = BOX_ENDED_SIGNAL, .code = SIGABRT},
+    {.name = "smash-stack", .end = BOX_ENDED_SIGNAL, .code = SIGABRT},
+    {.name = NULL},
+};
+
+/* These look for files of libc, and so need refused calls to be told to the engine. */
+static const struct box_bench_end locales = {.name = "locales", .end = BOX_ENDED_EXIT};
+
+static int everything(void)
+{
+    return box_bench_expect_all("attacks", attacks, 0, false) +
+           box_bench_expect_all("attacks", floods, 0, false) +
+           box_bench_expect_all("controls", controls, 0, false);
+}
+
+static int everything_named(void)
+{
+    return everything() + box_bench_expect_all("attacks", attacks_on_namespaces, 0, false) +
+           box_bench_expect("controls", &locales, 0);
+}
+
+static int everything_in_container(void)
+{
+    return everything() + box_bench_expect_all("attacks", attacks_in_container, 0, false) +
+           box_bench_expect("controls", &locales, 0);
+}
+
+static void play(int (*prepare)(void), int (*body)(void))
+{
+    int result = box_bench_as(prepare, body);
+    if (result == CANNOT_PLAY) {
+        print_message("this machine cannot play that part (not root, or no user namespaces)\n");
+        skip();
+    }
+    assert_int_equal(result, 0);
+}
+
+/* ----------------------------------------------------------- one by one, run */
+
+static void test_attacks_end_as_named(void **state)
+{
+    (void)state;
+    assert_int_equal(box_bench_expect_all("attacks", attacks, 0, true), 0);
+    assert_int_equal(box_bench_expect_all("attacks", floods, 0, false), 0);
+    assert_int_equal(box_bench_expect_all("attacks", attacks_on_namespaces, 0, false), 0);
+}
+
+static void test_honest_programs_run(void **state)
+{
+    (void)state;
+    assert_int_equal(box_bench_expect_all("controls", controls, 0, true), 0);
+    assert_int_equal(box_bench_expect("controls", &locales, 0), 0);
+}
+
+static void test_plain_user(void **state)
+{
+    (void)state;
+    play(box_bench_become_nobody, everything_named);
+}
+
+static void test_plain_user_without_namespaces(void **state)
+{
+    (void)state;
+    play(box_bench_lose_namespaces, everything_named);
+}
+
+static void test_root_of_a_container_of_one_user(void **state)
+{
+    (void)state;
+    play(box_bench_lose_namespaces_as_root, everything_named);
+}
+
+static void test_container(void **state)
+{
+    (void)state;
+    play(box_bench_enter_container, everything_in_container);
+}
+
+static void test_without_listener_calls_kill_by_themselves(void **state)
+{
+    (void)state;
+    play(box_bench_lose_listener, everything);
+}
+
+/* Any layer may be missing while seccomp is there: the ends stay the same. */
+static void test_each_layer_switched_off(void **state)
+{
+    (void)state;
+    for (int layer = 0; layer < BOX_LAYER_COUNT; layer++)
+        if (layer != BOX_SECCOMP && layer != BOX_NO_NEW_PRIVILEGES)
+            assert_int_equal(box_bench_expect_all("attacks", attacks, 1u << layer, false), 0);
+}
+
+static void test_seccomp_and_rlimits_alone(void **state)
+{
+    (void)state;
+    uint32_t disabled = all_namespaces | all_groups | OFF(PRIVATE_ROOT) | OFF(LANDLOCK);
+    assert_int_equal(box_bench_expect_all("attacks", attacks, disabled, false), 0);
+    assert_int_equal(box_bench_expect_all("controls", controls, disabled, false), 0);
+}
+
+/* The other walls, seen alone: the call is made, and does nothing. */
+static void test_walls_behind_seccomp(void **state)
+{
+    static const struct box_bench_end contained[] = {
+        {.name = "fork-bomb", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = "thread", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = "read-passwd", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = "write-outside", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = "raise-limits", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = "shell", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = "trace", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = "read-parent-memory", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = "crash", .end = BOX_ENDED_SIGNAL, .code = SIGSEGV},
+        {.name = NULL}};
+    static const struct box_bench_end no_files[] = {
+        {.name = "read-passwd", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = "write-outside", .end = BOX_ENDED_EXIT, .code = HARMLESS},
+        {.name = NULL}};
+    (void)state;
+    uint32_t off = OFF(SECCOMP) | OFF(SECCOMP_NAMES);
+    assert_int_equal(box_bench_expect_all("attacks", contained, off, false), 0);
+    assert_int_equal(box_bench_expect_all("attacks", no_files, off | OFF(LANDLOCK), false), 0);
+    assert_int_equal(box_bench_expect_all("attacks", no_files, off | OFF(PRIVATE_ROOT), false), 0);
+}
+
+static int refuses_to_start(void)
+{
+    struct box_plan plan = box_bench_plan("attacks", "exit-zero");
+    struct box_outcome outcome;
+    struct error err = {""};
+    if (box_run(&plan, &outcome, &err) == 0 || !strstr(err.text, "seccomp"))
+        return 1;
+    plan.disabled_layers = OFF(SECCOMP) | OFF(SECCOMP_NAMES);
+    err.text[0] = '\0';
+    if (box_run(&plan, &outcome, &err) || outcome.end != BOX_ENDED_EXIT)
+        return 2;
+    return box_bench_leftovers();
+}
+
+static void test_without_seccomp_nothing_runs(void **state)
+{
+    (void)state;
+    play(box_bench_lose_seccomp, refuses_to_start);
+}
+
+static void test_exit_in_a_constructor(void **state)
+{
+    (void)state;
+    char early[] = "early-exit";
+    char *argv[] = {early, NULL};
+    struct box_plan plan = box_bench_plan("attacks", "loop");
+    struct box_outcome outcome;
+    struct error err = {""};
+    plan.argv = argv;
+    assert_int_equal(box_run(&plan, &outcome, &err), 0);
+    assert_int_equal(outcome.end, BOX_ENDED_EXIT);
+    assert_int_equal(outcome.exit_code, 0);
+}
+
+static void test_plans_that_cannot_be(void **state)
+{
+    (void)state;
+    struct box_plan good = box_bench_plan("attacks", "exit-zero"), plan;
+    struct box box;
+    struct error err;
+    int closed = fcntl(good.program_fd, F_DUPFD_CLOEXEC, 100);
+    close(closed);
+    for (int i = 0; i < 7; i++) {
+        plan = good;
+        err.text[0] = '\0';
+        if (i == 0)
+            plan.program_fd = -1;
+        if (i == 1)
+            plan.writable = "/tmp";
+        if (i == 2)
+            plan.readable[0] = "/etc";
+        if (i == 3)
+            plan.passed_count = BOX_PASSED_LIMIT + 1;
+        if (i == 4)
+            plan.memory_bytes = 0;
+        if (i == 5)
+            plan.program_fd = closed;
+        if (i == 6) { /* not a program */
+            plan.program_fd = open("Makefile", O_RDONLY | O_CLOEXEC);
+            assert_true(plan.program_fd >= 0);
+        }
+        assert_int_equal(box_start(&plan, &box, &err), -1);
+        assert_int_not_equal(err.text[0], '\0');
+        assert_int_equal(box_bench_leftovers(), 0);
+        if (i == 6)
+            close(plan.program_fd);
+    }
+}
+
+/* ------------------------------------------------------ descriptors, measures */
+
+static int memory_file(const char *text)
+{
+    int fd = memfd_create("test", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+    assert_true(fd >= 0);
+    assert_int_equal(pwrite(fd, text, strlen(text), 0), (ssize_t)strlen(text));
+    return fd;
+}
+
+static void test_passed_descriptors(void **state)
+{
+    (void)state;
+    struct box_plan plan = box_bench_plan("controls", "descriptors");
+    struct box_outcome outcome;
+    struct error err = {""};
+    char text[16] = "";
+    int files[3] = {memory_file(""), memory_file("input"), memory_file("")};
+    assert_int_equal(fcntl(files[1], F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK), 0);
+    memcpy(plan.passed, files, sizeof files);
+    plan.passed_count = 3;
+    assert_int_equal(box_run(&plan, &outcome, &err), 0);
+    assert_int_equal(outcome.end, BOX_ENDED_EXIT);
+    assert_int_equal(outcome.exit_code, 0);
+    assert_int_equal(pread(files[2], text, 6, 0), 6);
+    assert_string_equal(text, "answer");
+    for (int i = 0; i < 3; i++)
+        close(files[i]);
+}
+
+static void test_measures_from_outside(void **state)
+{
+    (void)state;
+    struct box_plan plan = box_bench_plan("controls", "hold");
+    struct box box;
+    struct box_outcome outcome;
+    struct error err = {""};
+    char text[8] = "";
+    plan.passed[0] = memory_file("");
+    plan.passed_count = 1;
+    assert_int_equal(box_start(&plan, &box, &err), 0);
+    for (int i = 0; i < 2000 && pread(plan.passed[0], text, 4, 0) != 4; i++)
+        assert_false(box_step(&box, 5));
+    assert_string_equal(text, "held");
+    assert_true(box_cpu_ns(&box) > 0);
+    int64_t peak = box_peak_resident_bytes(&box);
+    assert_true(peak > (15 << 20) && peak < (24 << 20));
+    assert_int_equal(box_reset_peak(&box), 0);
+    peak = box_peak_resident_bytes(&box);
+    assert_true(peak > (15 << 20) && peak < (24 << 20));
+    box_kill(&box);
+    assert_true(box_step(&box, 5000));
+    box_finish(&box, &outcome);
+    assert_int_equal(outcome.end, BOX_ENDED_KILLED);
+    assert_true(outcome.cleaned);
+    assert_true(outcome.cpu_ns > 0);
+    assert_int_equal(box_cpu_ns(&box), -1);
+    assert_int_equal(box_peak_resident_bytes(&box), -1);
+    close(plan.passed[0]);
+}
+
+/* Boxes at once, ended in another order; one is never stepped. */
+static void test_several_boxes(void **state)
+{
+    (void)state;
+    struct box boxes[4];
+    struct box_outcome outcome;
+    struct error err = {""};
+    for (int i = 0; i < 4; i++) {
+        struct box_plan plan = box_bench_plan("attacks", i == 3 ? "read-passwd" : "sleep");
+        assert_int_equal(box_start(&plan, &boxes[i], &err), 0);
+    }
+    struct pollfd told = {boxes[3].notify, POLLIN, 0};
+    assert_int_equal(poll(&told, 1, 10000), 1);
+    box_finish(&boxes[3], &outcome);
+    assert_int_equal(outcome.end, BOX_ENDED_FORBIDDEN);
+    for (int i = 0; i < 3; i++) {
+        box_kill(&boxes[i]);
+        box_finish(&boxes[i], &outcome);
+        assert_int_equal(outcome.end, BOX_ENDED_KILLED);
+        assert_true(outcome.cleaned);
+    }
+    assert_int_equal(box_bench_leftovers(), 0);
+}
+
+/* An engine that is killed takes its boxes with it; the next one removes its groups. */
+static void engine_that_waits(int out, uint32_t disabled)
+{
+    struct box_plan plan = box_bench_plan("attacks", "sleep");
+    struct box box;
+    struct error err = {""};
+    plan.disabled_layers = disabled;
+    if (box_start(&plan, &box, &err) ||
+        write(out, &box.program, sizeof box.program) != (ssize_t)sizeof box.program)
+        _exit(1);
+    for (;;)
+        pause();
+}
+
+/* The engine that is gone, for box_bench_groups_of in a fresh process. */
+static pid_t gone_engine;
+
+static int sweep_after_engine(void)
+{
+    struct box_bench_end end = {.name = "exit-zero", .end = BOX_ENDED_EXIT};
+    return box_bench_expect("attacks", &end, 0) + box_bench_groups_of(gone_engine);
+}
+
+static void test_killed_engine(void **state)
+{
+    (void)state;
+    const uint32_t settings[] = {0, all_namespaces};
+    for (int i = 0; i < 2; i++) {
+        int channel[2];
+        pid_t program;
+        assert_int_equal(pipe(channel), 0);
+        pid_t engine = fork();
+        if (engine == 0)
+            engine_that_waits(channel[1], settings[i]);
+        assert_int_equal(read(channel[0], &program, sizeof program), (ssize_t)sizeof program);
+        int pidfd = pidfd_open(program, 0);
+        assert_true(pidfd >= 0);
+        kill(engine, SIGKILL);
+        assert_int_equal(waitpid(engine, NULL, 0), engine);
+        struct pollfd gone = {pidfd, POLLIN, 0};
+        assert_int_equal(poll(&gone, 1, 10000), 1);
+        close(pidfd);
+        close(channel[0]);
+        close(channel[1]);
+        gone_engine = engine;
+        assert_int_equal(box_bench_as(NULL, sweep_after_engine), 0);
+    }
+}
+
+static void test_probes_agree_with_boxes(void **state)
+{
+    (void)state;
+    static struct box_probe probes[BOX_LAYER_COUNT];
+    struct box_plan plan = box_bench_plan("attacks", "exit-zero");
+    struct box_outcome outcome;
+    struct error err = {""};
+    box_probe_layers(probes);
+    assert_int_equal(box_run(&plan, &outcome, &err), 0);
+    for (int layer = 0; layer < BOX_LAYER_COUNT; layer++) {
+        bool active = outcome.active >> layer & 1;
+        const char *name = box_layer_name((enum box_layer)layer);
+        if (probes[layer].works != active)
+            print_error("%s: probe '%s', box '%s'\n", name, probes[layer].reason,
+                        outcome.reason[layer]);
+        assert_int_equal(probes[layer].works, active);
+        assert_int_equal(probes[layer].remedy[0] != '\0', !active);
+        assert_int_equal(outcome.reason[layer][0] != '\0', !active);
+    }
+    assert_int_equal(box_bench_leftovers(), 0);
+}
+
+static int open_bench(void **state)
+{
+    (void)state;
+    return box_bench_open();
+}
+
+static int close_bench(void **state)
+{
+    (void)state;
+    box_bench_close();
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_attacks_end_as_named),
+        cmocka_unit_test(test_honest_programs_run),
+        cmocka_unit_test(test_plain_user),
+        cmocka_unit_test(test_plain_user_without_namespaces),
+        cmocka_unit_test(test_root_of_a_container_of_one_user),
+        cmocka_unit_test(test_container),
+        cmocka_unit_test(test_without_listener_calls_kill_by_themselves),
+        cmocka_unit_test(test_each_layer_switched_off),
+        cmocka_unit_test(test_seccomp_and_rlimits_alone),
+        cmocka_unit_test(test_walls_behind_seccomp),
+        cmocka_unit_test(test_without_seccomp_nothing_runs),
+        cmocka_unit_test(test_exit_in_a_constructor),
+        cmocka_unit_test(test_plans_that_cannot_be),
+        cmocka_unit_test(test_passed_descriptors),
+        cmocka_unit_test(test_measures_from_outside),
+        cmocka_unit_test(test_several_boxes),
+        cmocka_unit_test(test_killed_engine),
+        cmocka_unit_test(test_probes_agree_with_boxes),
+    };
+    return cmocka_run_group_tests(tests, open_bench, close_bench);
+}

@@ -1,0 +1,400 @@
+/* Compilers, valgrind and sanitized programs in the box: they work, and what they are made to do
+ * stays inside; as root, as a plain user, and without namespaces. */
+#include "tests/unit/box_bench.h"
+
+#include <fcntl.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#define OFF(name) (1u << BOX_##name)
+
+enum { HARMLESS = 7, CANNOT_PLAY = 100, OUTPUT_BYTES = 1 << 16 };
+
+static const uint32_t all_namespaces = OFF(USER_NAMESPACE) | OFF(PID_NAMESPACE) |
+                                       OFF(MOUNT_NAMESPACE) | OFF(NET_NAMESPACE) |
+                                       OFF(IPC_NAMESPACE) | OFF(UTS_NAMESPACE);
+static const uint32_t all_groups = OFF(CGROUP_MEMORY) | OFF(CGROUP_PIDS) | OFF(CGROUP_CPU);
+
+/* What a box printed, and the folder that it works in: made anew by whoever plays. */
+static char output[OUTPUT_BYTES];
+static char work[64], parent[32];
+static uint32_t disabled;
+
+static int open_work(void)
+{
+    snprintf(parent, sizeof parent, "/tmp/box-work-XXXXXX");
+    struct error err = {""};
+    if (!mkdtemp(parent))
+        return -1;
+    /* Without a mount namespace the program passes through it to its folder. */
+    if (chmod(parent, 0711))
+        return -1;
+    snprintf(work, sizeof work, "%s/work", parent);
+    return mkdir(work, 0700) || box_give_folder(work, &err) ? -1 : 0;
+}
+
+static void close_work(void)
+{
+    char command[100];
+    snprintf(command, sizeof command, "rm -rf %s", parent);
+    if (system(command))
+        fprintf(stderr, "cannot remove %s\n", parent);
+}
+
+static int put_source(const char *name, const char *text)
+{
+    char path[128];
+    snprintf(path, sizeof path, "%s/%s", work, name);
+    FILE *file = fopen(path, "w");
+    if (!file || fputs(text, file) < 0 || fclose(file))
+        return -1;
+    return chmod(path, 0644);
+}
+
+static int put_program(const char *program)
+{
+    char command[300];
+    snprintf(command, sizeof command, "install -m 0755 %s/%s %s/%s", box_bench_folder(), program,
+             work, program);
+    return system(command) ? -1 : 0;
+}
+
+/* Runs a command line, words separated by single spaces. Output and outcome stay in statics. */
+static struct box_outcome outcome;
+static struct error err;
+
+static int run(enum box_profile profile, const char *line, struct box_plan changes)
+{
+    char words[512], *argv[32], *rest = words;
+    int count = 0;
+    snprintf(words, sizeof words, "%s", line);
+    for (char *word; count < 31 && (word = strsep(&rest, " "));)
+        argv[count++] = word;
+    argv[count] = NULL;
+    int out = memfd_create("output", MFD_CLOEXEC);
+    struct box_plan plan = {.profile = profile,
+                            .argv = argv,
+                            .program_fd = -1,
+                            .writable = work,
+                            .input_fd = -1,
+                            .output_fd = out,
+                            .error_fd = out,
+                            .memory_bytes = changes.memory_bytes ? changes.memory_bytes : 600 << 20,
+                            .file_bytes = changes.file_bytes ? changes.file_bytes : 16 << 20,
+                            .scratch_bytes = 16 << 20,
+                            .stack_bytes = 16 << 20,
+                            .cpu_seconds = changes.cpu_seconds ? changes.cpu_seconds : 20,
+                            .wall_ms = 60000,
+                            .process_count = 16,
+                            .cpu = -1,
+                            .disabled_layers = disabled};
+    err.text[0] = '\0';
+    memset(&outcome, 0, sizeof outcome);
+    int failed = box_run(&plan, &outcome, &err);
+    ssize_t length = pread(out, output, sizeof output - 1, 0);
+    output[length > 0 ? length : 0] = '\0';
+    close(out);
+    return failed;
+}
+
+static const struct box_plan usual;
+
+static int complain(const char *line)
+{
+    static const char *const ends[] = {"forbidden", "memory", "output", "cpu",
+                                       "killed",    "signal", "exit",   "lost"};
+    fprintf(stderr, "box (disabled %#x): %s: %s, code %d, signal %d, refused '%s' %s\n%.2000s\n",
+            disabled, line, ends[outcome.end], outcome.exit_code, outcome.signal,
+            outcome.refused_detail, err.text, output);
+    return 1;
+}
+
+/* 0 when the command exits with `code`, prints `text` (NULL: anything) and leaves nothing behind.
+ */
+static int expect_exit(enum box_profile profile, const char *line, int code, const char *text)
+{
+    if (run(profile, line, usual) || outcome.end != BOX_ENDED_EXIT || outcome.exit_code != code ||
+        (text && !strstr(output, text)) || !outcome.cleaned || box_bench_leftovers())
+        return complain(line);
+    return 0;
+}
+
+static int expect_end(enum box_profile profile, const char *line, enum box_end end,
+                      const char *call, struct box_plan changes)
+{
+    bool named = !call || !(outcome.active >> BOX_SECCOMP_NAMES & 1);
+    if (run(profile, line, changes) || outcome.end != end ||
+        (!named && strcmp(call, outcome.refused_call) != 0) || !outcome.cleaned ||
+        box_bench_leftovers())
+        return complain(line);
+    return 0;
+}
+
+/* ------------------------------------------------------------------ building */
+
+/* LeakSanitizer would start a thread to look at the program. */
+static const char hello[] = "#include <stdio.h>\n#include <stdlib.h>\n"
+                            "const char *__asan_default_options(void);\n"
+                            "const char *__asan_default_options(void)\n{\n"
+                            "    return \"detect_leaks=0\";\n}\n"
+                            "int main(int argc, char **argv)\n{\n"
+                            "    char *block = malloc(10);\n    (void)argv;\n"
+                            "    printf(\"hello\\n\");\n"
+                            "    block[argc > 1 ? 10 : 0] = 1;\n"
+                            "    free(block);\n    return 0;\n}\n";
+
+static int build_works(void)
+{
+    if (open_work() || put_source("a.c", hello))
+        return 99;
+    int wrong =
+        expect_exit(BOX_BUILD, "/usr/bin/gcc -O2 -g -c a.c -o a.o", 0, NULL) +
+        expect_exit(BOX_BUILD, "/usr/bin/gcc -static a.o -o a.static", 0, NULL) +
+        expect_exit(BOX_BUILD, "/usr/bin/gcc -g -fsanitize=address,undefined a.c -o a.sanitized", 0,
+                    NULL) +
+        expect_exit(BOX_BUILD, "/usr/bin/objcopy --keep-global-symbol=main a.o b.o", 0, NULL) +
+        expect_exit(BOX_BUILD, "/usr/bin/ld -r b.o -o c.o", 0, NULL) +
+        expect_exit(BOX_BUILD, "/bin/sh -c true", 0, NULL) +
+        expect_exit(BOX_BUILD, "/usr/bin/gcc -c missing.c", 1, "missing.c") +
+        expect_exit(BOX_TOOLS, "./a.static", 0, "hello") +
+        expect_exit(BOX_TOOLS, "./a.sanitized", 0, "hello") +
+        expect_exit(BOX_TOOLS, "./a.sanitized 1", 1, "heap-buffer-overflow");
+    close_work();
+    return wrong;
+}
+
+/* Reading what is not shown: by the preprocessor, the assembler, the linker. */
+static int build_reads_nothing(void)
+{
+    if (open_work() || put_source("a.c", "#include \"/etc/passwd\"\n") ||
+        put_source("b.c", "__asm__(\".incbin \\\"/etc/passwd\\\"\");\n") ||
+        put_source("c.c", "#include \"/proc/self/environ\"\n") ||
+        put_source("d.ld", "INCLUDE /etc/passwd\n"))
+        return 99;
+    int wrong = expect_exit(BOX_BUILD, "/usr/bin/gcc -c a.c", 1, "/etc/passwd") +
+                expect_exit(BOX_BUILD, "/usr/bin/gcc -c b.c", 1, "/etc/passwd") +
+                expect_exit(BOX_BUILD, "/usr/bin/gcc -c c.c", 1, NULL) +
+                expect_exit(BOX_BUILD, "/usr/bin/ld -T d.ld", 1, NULL);
+    wrong += strstr(output, "root:") ? complain("a file of the host was shown") : 0;
+    close_work();
+    return wrong;
+}
+
+static int build_is_bounded(void)
+{
+    struct box_plan little_memory = {.memory_bytes = 100 << 20};
+    if (open_work() || put_source("a.c", "char x[1L << 28] = {1};\n") ||
+        put_source("b.c", "#define A(x) x x x x x x x x x x\n#define B(x) A(A(A(A(x))))\n"
+                          "int a[] = {B(B(1,))};\n"))
+        return 99;
+    int wrong = 0;
+    if (run(BOX_BUILD, "/usr/bin/gcc -c a.c", usual) || outcome.end == BOX_ENDED_LOST ||
+        (outcome.end == BOX_ENDED_EXIT && outcome.exit_code == 0) || !outcome.cleaned)
+        wrong += complain("a large object");
+    if (run(BOX_BUILD, "/usr/bin/gcc -c b.c", little_memory) || outcome.end == BOX_ENDED_LOST ||
+        (outcome.end == BOX_ENDED_EXIT && outcome.exit_code == 0) || !outcome.cleaned)
+        wrong += complain("a macro bomb");
+    close_work();
+    return wrong + box_bench_leftovers();
+}
+
+/* A compiler that was taken over: what it writes it cannot execute, nor make namespaces. */
+static int build_contains(void)
+{
+    if (open_work() || put_source("a.sh", "cp /bin/true mine\n./mine\n"))
+        return 99;
+    int wrong = expect_exit(BOX_BUILD, "/bin/sh a.sh", 126, NULL) +
+                expect_end(BOX_BUILD, "/usr/bin/unshare -m /bin/true", BOX_ENDED_FORBIDDEN,
+                           "unshare", usual);
+    close_work();
+    return wrong;
+}
+
+/* ---------------------------------------------------------------------- tools */
+
+static int tools_contain(void)
+{
+    struct box_plan little_memory = {.memory_bytes = 64 << 20};
+    struct box_plan little_time = {.cpu_seconds = 1};
+    if (open_work() || put_program("attacks"))
+        return 99;
+    int wrong =
+        expect_end(BOX_TOOLS, "./attacks fork-bomb", BOX_ENDED_FORBIDDEN, "clone", usual) +
+        expect_end(BOX_TOOLS, "./attacks vfork", BOX_ENDED_FORBIDDEN, "vfork", usual) +
+        expect_end(BOX_TOOLS, "./attacks socket", BOX_ENDED_FORBIDDEN, "socket", usual) +
+        expect_end(BOX_TOOLS, "./attacks kill-all", BOX_ENDED_FORBIDDEN, "kill", usual) +
+        expect_end(BOX_TOOLS, "./attacks kill-parent", BOX_ENDED_FORBIDDEN, "kill", usual) +
+        expect_end(BOX_TOOLS, "./attacks trace", BOX_ENDED_FORBIDDEN, "ptrace", usual) +
+        expect_end(BOX_TOOLS, "./attacks io-uring", BOX_ENDED_FORBIDDEN, "io_uring_setup", usual) +
+        expect_end(BOX_TOOLS, "./attacks int-0x80", BOX_ENDED_FORBIDDEN, NULL, usual) +
+        expect_end(BOX_TOOLS, "./attacks malloc-bomb", BOX_ENDED_MEMORY, NULL, little_memory) +
+        expect_end(BOX_TOOLS, "./attacks flood", BOX_ENDED_OUTPUT, NULL, usual) +
+        expect_end(BOX_TOOLS, "./attacks loop", BOX_ENDED_CPU, NULL, little_time) +
+        expect_exit(BOX_TOOLS, "./attacks read-passwd", HARMLESS, NULL) +
+        expect_exit(BOX_TOOLS, "./attacks write-outside", HARMLESS, NULL) +
+        expect_exit(BOX_TOOLS, "./attacks raise-limits", HARMLESS, NULL) +
+        expect_exit(BOX_TOOLS, "./attacks unpin", HARMLESS, NULL);
+    close_work();
+    return wrong;
+}
+
+static int valgrind_works(void)
+{
+    const char *memcheck = "/usr/bin/valgrind --vgdb=no --error-exitcode=9 ./controls nothing";
+    if (open_work() || put_program("attacks") || put_program("controls"))
+        return 99;
+    int wrong =
+        expect_exit(BOX_TOOLS, "/usr/bin/valgrind --tool=callgrind --vgdb=no ./controls allocate",
+                    0, "Collected") +
+        (run(BOX_TOOLS, memcheck, usual) || outcome.end != BOX_ENDED_EXIT ? complain(memcheck)
+                                                                          : 0) +
+        expect_end(BOX_TOOLS, "/usr/bin/valgrind --tool=none --vgdb=no ./attacks fork-bomb",
+                   BOX_ENDED_FORBIDDEN, "clone", usual) +
+        expect_exit(BOX_TOOLS, "/usr/bin/valgrind --tool=none --vgdb=no ./attacks read-passwd",
+                    HARMLESS, NULL);
+    close_work();
+    return wrong;
+}
+
+/* ---------------------------------------------------------------------- tests */
+
+static int everything(void)
+{
+    int wrong = build_works() + build_reads_nothing() + build_contains() + tools_contain();
+    if (access("/usr/bin/valgrind", X_OK) == 0)
+        wrong += valgrind_works();
+    return wrong;
+}
+
+static void play(int (*prepare)(void), int (*body)(void))
+{
+    int result = box_bench_as(prepare, body);
+    if (result == CANNOT_PLAY) {
+        print_message("this machine cannot play that part (not root, or no user namespaces)\n");
+        skip();
+    }
+    assert_int_equal(result, 0);
+}
+
+static void test_here(void **state)
+{
+    (void)state;
+    assert_int_equal(everything(), 0);
+    assert_int_equal(build_is_bounded(), 0);
+}
+
+static void test_plain_user(void **state)
+{
+    (void)state;
+    play(box_bench_become_nobody, everything);
+}
+
+static void test_plain_user_without_namespaces(void **state)
+{
+    (void)state;
+    play(box_bench_lose_namespaces, everything);
+}
+
+static void test_without_groups_or_namespaces(void **state)
+{
+    (void)state;
+    disabled = all_namespaces | all_groups;
+    int wrong = everything();
+    disabled = 0;
+    assert_int_equal(wrong, 0);
+}
+
+static void test_without_landlock(void **state)
+{
+    (void)state;
+    disabled = OFF(LANDLOCK);
+    int wrong = everything();
+    disabled = 0;
+    assert_int_equal(wrong, 0);
+}
+
+/* Children that let go of everything: ended by the pid namespace, or by init. */
+static void test_children_left_behind(void **state)
+{
+    const uint32_t settings[] = {0, all_namespaces, all_namespaces | all_groups};
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct box_plan plan = box_bench_plan("attacks", "leave-children");
+        struct error error = {""};
+        plan.profile = BOX_BUILD;
+        plan.disabled_layers = settings[i];
+        assert_int_equal(box_run(&plan, &outcome, &error), 0);
+        assert_int_equal(outcome.end, BOX_ENDED_EXIT);
+        assert_int_equal(outcome.exit_code, 0);
+        assert_true(outcome.cleaned);
+        assert_int_equal(box_bench_leftovers(), 0);
+    }
+}
+
+/* A build may make processes, but only so many, and they end with it. */
+static void test_process_limit(void **state)
+{
+    (void)state;
+    struct box_plan plan = box_bench_plan("attacks", "fork-bomb");
+    struct error error = {""};
+    plan.profile = BOX_BUILD;
+    assert_int_equal(box_run(&plan, &outcome, &error), 0);
+    assert_int_equal(outcome.end, BOX_ENDED_EXIT);
+    assert_int_equal(outcome.exit_code, 99);
+    assert_true(outcome.cleaned);
+    assert_int_equal(box_bench_leftovers(), 0);
+}
+
+static int refuses_without_walls(void)
+{
+    if (open_work() || put_program("attacks"))
+        return 99;
+    int wrong = run(BOX_TOOLS, "./attacks exit-zero", usual) == 0 || !strstr(err.text, "Landlock");
+    wrong += run(BOX_BUILD, "/bin/true", usual) == 0 || !strstr(err.text, "Landlock");
+    close_work();
+    return wrong + box_bench_leftovers();
+}
+
+static void test_tools_need_a_wall_before_files(void **state)
+{
+    (void)state;
+    play(box_bench_enter_container, refuses_without_walls);
+}
+
+static int open_bench(void **state)
+{
+    (void)state;
+    return box_bench_open();
+}
+
+static int close_bench(void **state)
+{
+    (void)state;
+    box_bench_close();
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_here),
+        cmocka_unit_test(test_plain_user),
+        cmocka_unit_test(test_plain_user_without_namespaces),
+        cmocka_unit_test(test_without_groups_or_namespaces),
+        cmocka_unit_test(test_without_landlock),
+        cmocka_unit_test(test_children_left_behind),
+        cmocka_unit_test(test_process_limit),
+        cmocka_unit_test(test_tools_need_a_wall_before_files),
+    };
+    return cmocka_run_group_tests(tests, open_bench, close_bench);
+}
