@@ -7,7 +7,8 @@
 
 #include <cmocka.h>
 
-extern const struct judge judge_memory_indexed_grid, judge_memory_strips;
+extern const struct judge judge_memory_indexed_grid, judge_memory_strips,
+    judge_memory_voxels_vs_mesh;
 
 static void test_indexed_grid_submissions(void **state)
 {
@@ -21,9 +22,16 @@ static void test_strips_submissions(void **state)
     submissions_check(&judge_memory_strips, "memory");
 }
 
+static void test_voxels_vs_mesh_submissions(void **state)
+{
+    (void)state;
+    submissions_check(&judge_memory_voxels_vs_mesh, "memory");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_indexed_grid_submissions),
-                                       cmocka_unit_test(test_strips_submissions)};
+                                       cmocka_unit_test(test_strips_submissions),
+                                       cmocka_unit_test(test_voxels_vs_mesh_submissions)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,34 @@
+/* The sphere of problem 4.1 as a mesh, as a judge sees it: k meridians of k vertices each, from
+ * pole to pole, the last joined to the first by indices, and two triangles in each of the k * (k -
+ * 1) cells.
+ *
+ * Vertices are told apart by where they lie, so a student may number vertices and list triangles in
+ * any order and cut cells by either diagonal. At a pole k vertices share a place; which meridian
+ * each of them belongs to follows from the triangles, and only that they close up around the pole
+ * is asked. */
+#ifndef GRADERS_JUDGES_SPHERE_H
+#define GRADERS_JUDGES_SPHERE_H
+
+#include "graders/judges/judge.h"
+
+/* What a student returned: both tables, borrowed, with all k * k vertices and any number of
+ * triangles. */
+struct sphere_mesh {
+    int32_t k; /* at least 3 */
+    const float *vertices;
+    const int32_t *triangles;
+    int64_t triangle_count;
+};
+
+/* Each place has its vertex, within 0.00001, and each pole has k. Accepts, or rejects, names the
+ * first vertex at fault and shows all. Returns 0, or -1 and *err (out of memory). */
+int sphere_judge_vertices(const struct sphere_mesh *mesh, struct judgement *out,
+                          struct error *err) MUST_CHECK;
+
+/* The triangles cover the sphere once, from outside counter-clockwise. Vertices are taken for the
+ * place next to them, however far. Accepts, or rejects, names the first triangle (or cell) at fault
+ * and shows all. Returns 0, or -1 and *err (out of memory). */
+int sphere_judge_triangles(const struct sphere_mesh *mesh, struct judgement *out,
+                           struct error *err) MUST_CHECK;
+
+#endif
