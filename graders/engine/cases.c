@@ -7,7 +7,7 @@
 enum { TIME_LIMITS_TO_STOP = 2 };
 static const int64_t IDLE_LIMIT_NS = 2000000000;
 
-static bool in_scope(const struct judge_case *c, const struct trial_scope *scope)
+bool trial_case_in_scope(const struct judge_case *c, const struct trial_scope *scope)
 {
     if (scope->only_case)
         return strcmp(c->name, scope->only_case) == 0;
@@ -45,13 +45,13 @@ static void remember_surroundings(struct trial *trial, const struct attempt *att
         snprintf(trial->output, sizeof trial->output, "%s", attempt->output);
 }
 
-int trial_run_cases(struct trial *trial, const struct trial_scope *scope, struct error *err)
+int trial_run_cases(struct trial *trial, struct error *err)
 {
     const struct judge *judge = trial->yardstick->judge;
     int time_limits = 0;
     for (size_t i = 0; i < judge->case_count; i++) {
         struct attempt *attempt = &trial->cases[i].attempt;
-        if (!in_scope(&judge->cases[i], scope))
+        if (!trial_case_in_scope(&judge->cases[i], &trial->scope))
             continue;
         trial->cases[i].run = true;
         if (time_limits >= TIME_LIMITS_TO_STOP) {

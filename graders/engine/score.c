@@ -180,6 +180,23 @@ static json_t *class_json(const struct trial *trial, const struct exercise_class
                      passed, "cases", count);
 }
 
+/* `check` looks at less than `grade`: what it leaves out neither gives nor costs points. */
+static bool class_is_in_scope(const struct trial *trial, const struct exercise_class *class)
+{
+    const struct judge *judge = trial->yardstick->judge;
+    for (size_t i = 0; i < judge->case_count; i++)
+        if (strcmp(judge->cases[i].class_name, class->name) == 0 &&
+            trial_case_in_scope(&judge->cases[i], &trial->scope))
+            return true;
+    return false;
+}
+
+static bool check_is_in_scope(const struct trial *trial, enum check_kind check)
+{
+    bool partial = trial->scope.quick || trial->scope.only_case;
+    return trial->yardstick->exercise->checked[check] && (!partial || check == CHECK_LEAK);
+}
+
 static bool check_counts(const struct trial *trial, enum check_kind check)
 {
     return trial->yardstick->exercise->checked[check] &&
@@ -241,13 +258,12 @@ static struct decision decide(const struct trial *trial)
     }
     for (int check = 0; check < CHECK_COUNT; check++) {
         const struct check_result *result = &trial->checks[check];
-        if (trial->yardstick->exercise->checked[check] && check != CHECK_ALLOCATION_FAILURE)
+        if (check_is_in_scope(trial, (enum check_kind)check) && check != CHECK_ALLOCATION_FAILURE)
             consider(&decision, result->verdict, result->cause, result->message,
                      result->message_es);
     }
     const struct check_result *sweep = &trial->checks[CHECK_ALLOCATION_FAILURE];
-    if (decision.verdict == VERDICT_PASSED &&
-        trial->yardstick->exercise->checked[CHECK_ALLOCATION_FAILURE])
+    if (decision.verdict == VERDICT_PASSED && check_is_in_scope(trial, CHECK_ALLOCATION_FAILURE))
         consider(&decision, sweep->verdict, sweep->cause, sweep->message, sweep->message_es);
     return decision;
 }
@@ -286,21 +302,28 @@ int score_trial(struct trial *trial, const struct submitter *submitter, struct o
     const struct exercise *exercise = trial->yardstick->exercise;
     struct decision decision = decide(trial);
     json_t *classes = json_array(), *checks = json_array(), *cases = json_array();
-    double score = 0;
+    double score = 0, max_score = 0;
     outcome->scenes = json_object();
-    for (int i = 0; i < exercise->class_count; i++)
+    for (int i = 0; i < exercise->class_count; i++) {
+        if (!class_is_in_scope(trial, &exercise->classes[i]))
+            continue;
         json_array_append_new(classes, class_json(trial, &exercise->classes[i], &score));
-    for (int check = 0; check < CHECK_COUNT; check++)
-        if (exercise->checked[check])
-            json_array_append_new(checks, check_json(trial, (enum check_kind)check, &score));
+        max_score += exercise->classes[i].points;
+    }
+    for (int check = 0; check < CHECK_COUNT; check++) {
+        if (!check_is_in_scope(trial, (enum check_kind)check))
+            continue;
+        json_array_append_new(checks, check_json(trial, (enum check_kind)check, &score));
+        max_score += exercise->check_points[check];
+    }
     for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
         if (trial->cases[i].run)
             json_array_append_new(cases, case_json(trial, i, submitter, outcome->scenes));
     outcome->result = header_json(exercise, submitter, &decision);
     json_t *rest = json_pack(
         "{s:o, s:o, s:o, s:o, s:o, s:o, s:{s:b, s:s, s:o}, s:o, s:o, s:o, s:o, s:o}", "score",
-        points_json(score), "max_score", points_json(exercise->max_score), "classes", classes,
-        "checks", checks, "cases", cases, "measures", measures_json(trial), "build", "ok",
+        points_json(score), "max_score", points_json(max_score), "classes", classes, "checks",
+        checks, "cases", cases, "measures", measures_json(trial), "build", "ok",
         !trial->build.refusal.refused, "cause", trial->build.refusal.cause, "diagnostics",
         text_json(trial->build.diagnostics), "output", text_json(trial->output), "protections",
         protections_json(trial), "not_measured", not_measured_json(trial), "submission",

@@ -75,6 +75,7 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
     trial->student = student;
     trial->sources = sources;
     trial->source_count = source_count;
+    trial->scope = *scope;
     set_not_reached(trial);
     trial->cases = calloc(yardstick->judge->case_count, sizeof *trial->cases);
     if (!trial->cases)
@@ -84,7 +85,7 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
     trial->active_layers = trial->build.active_layers;
     if (trial->build.refusal.refused)
         return 0;
-    if (trial_run_cases(trial, scope, err) != 0)
+    if (trial_run_cases(trial, err) != 0)
         return -1;
     check_leak(trial);
     return scope->quick || scope->only_case ? 0 : run_checks(trial, err);

@@ -26,11 +26,19 @@ struct family_result {
     struct growth_fit fit;
 };
 
+/* What to run. */
+struct trial_scope {
+    bool public_only;      /* only cases that students see */
+    bool quick;            /* only quick cases; no check but leak */
+    const char *only_case; /* NULL: all */
+};
+
 struct trial {
     struct yardstick *yardstick;
     const char *student; /* borrowed */
     const struct source *sources;
     int source_count;
+    struct trial_scope scope;
     struct build build;
     struct case_result *cases; /* judge->case_count */
     struct check_result checks[CHECK_COUNT];
@@ -41,13 +49,6 @@ struct trial {
     uint32_t active_layers; /* of the box in which the cases ran */
     char layer_reason[BOX_LAYER_COUNT][80];
     char output[ATTEMPT_OUTPUT];
-};
-
-/* What to run. */
-struct trial_scope {
-    bool public_only;      /* only cases that students see */
-    bool quick;            /* only quick cases; no check but leak */
-    const char *only_case; /* NULL: all */
 };
 
 /* Runs every step of the scope. Returns 0, or -1 and *err: a fault; trial_release must follow. The
@@ -65,8 +66,8 @@ void check_say(struct check_result *check, enum verdict verdict, const char *cau
 /* -- the steps, one file each; all return 0, or -1 and *err: a fault ------------------------- */
 
 /* cases.c: every case of the scope in a fresh box. */
-int trial_run_cases(struct trial *trial, const struct trial_scope *scope,
-                    struct error *err) MUST_CHECK;
+int trial_run_cases(struct trial *trial, struct error *err) MUST_CHECK;
+bool trial_case_in_scope(const struct judge_case *c, const struct trial_scope *scope);
 
 /* Whether the first class of the exercise passed whole. */
 bool trial_basic_class_passed(const struct trial *trial);
