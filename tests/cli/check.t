@@ -1,0 +1,65 @@
+#!/bin/bash
+# meshgrade check, list, start: what a student sees.
+. "$(dirname "$0")/tap.sh"
+edges=$submissions/edges/edge-table-any
+
+"$meshgrade" list >"$scratch/list"
+ok "list names the seven exercises of problems 4.1 to 4.6" \
+    [ "$(grep -cE '^(memory-voxels-vs-mesh|memory-indexed-grid|memory-strips|euler-closed-mesh|edge-table-any|edge-table-closed|mesh-area) ' "$scratch/list")" -eq 7 ]
+"$meshgrade" list --json >"$scratch/list.json"
+ok "list --json is JSON" python3 -c 'import json,sys; assert len(json.load(open(sys.argv[1]))) >= 7' "$scratch/list.json"
+
+"$meshgrade" check edge-table-any "$edges/wrong/boundary-lost.c" >"$scratch/wrong"
+code=$?
+head -n 3 "$scratch/wrong" >"$scratch/head"
+ok "a wrong edge table ends with exit code 1" [ "$code" -eq 1 ]
+ok "line 1 says what is wrong" matches "$scratch/head" 'edge \{[0-9]+,[0-9]+\} .*is missing'
+ok "line 2 says where" matches "$scratch/head" '^  where .*edge \{[0-9]+,[0-9]+\}.*case [a-z-]+'
+ok "line 3 says how to repeat it" matches "$scratch/head" "^  again .*meshgrade check edge-table-any .*boundary-lost.c --case [a-z-]+"
+ok "without a terminal there is no colour" sh -c '! grep -q "$(printf "\033")" "$1"' - "$scratch/wrong"
+
+again=$(sed -n 's/^  again  *meshgrade //p' "$scratch/head")
+eval "\"$meshgrade\" $again" >"$scratch/again"
+ok "the command of line 3 shows the same mistake" [ "$(head -n 1 "$scratch/again")" = "$(head -n 1 "$scratch/head")" ]
+
+"$meshgrade" check edge-table-any --lang es "$edges/wrong/boundary-lost.c" >"$scratch/es"
+ok "it speaks Spanish" matches "$scratch/es" 'falta la arista'
+
+ok "a right answer ends with exit code 0" exits_with 0 "$meshgrade" check edge-table-any "$edges/right/sort.c" --quick
+"$meshgrade" check edge-table-any --json "$edges/right/hash-table.c" >"$scratch/right.json"
+ok "the result of a right answer is whole" python3 - "$scratch/right.json" <<'P'
+import json, sys
+r = json.load(open(sys.argv[1]))
+keys = "student exercise verdict cause score max_score cases measures protections".split()
+assert all(k in r for k in keys), r.keys()
+assert r["verdict"] == "passed" and r["score"] == r["max_score"]
+assert all(c["verdict"] == "passed" for c in r["cases"])
+assert r["measures"]["growth"]["families"][0]["fit"]["class"] in ("n", "n lg n", "1")
+assert "seccomp" in r["protections"]["active"]
+P
+
+echo 'int64_t edge_table_any(' >"$scratch/broken.c"
+ok "what does not compile ends with 1" exits_with 1 "$meshgrade" check edge-table-any "$scratch/broken.c" --quick >"$scratch/broken"
+"$meshgrade" check edge-table-any "$scratch/broken.c" --quick >"$scratch/broken"
+ok "and shows the compiler's message" matches "$scratch/broken" 'broken\.c:1'
+echo '#include "edge-table-any.h"' >"$scratch/empty.c"
+"$meshgrade" check edge-table-any "$scratch/empty.c" --quick >"$scratch/empty"
+ok "a missing function is named" matches "$scratch/empty" 'edge_table_any'
+
+ok "an unknown exercise is wrong usage" exits_with 64 "$meshgrade" check no-such-thing "$scratch/empty.c" 2>/dev/null
+ok "a missing file is a fault with its name" exits_with 2 "$meshgrade" check edge-table-any "$scratch/absent.c" 2>"$scratch/absent"
+ok "which stands in the message" matches "$scratch/absent" 'absent.c'
+ok "an unknown command is wrong usage" exits_with 64 "$meshgrade" frobnicate 2>/dev/null
+ok "an unknown option is wrong usage" exits_with 64 "$meshgrade" check --frobnicate 2>/dev/null
+for command in list start check grade report export validate doctor; do
+    ok "$command --help" sh -c '"$1" "$2" --help | grep -q "^usage: meshgrade $2"' - "$meshgrade" "$command"
+done
+
+cd "$scratch" || exit 1
+"$meshgrade" start edge-table-any work >/dev/null
+ok "start gives statement, header and starter" [ -s work/README.md -a -s work/README.es.md -a -s work/edge-table-any.h -a -s work/edge-table-any.c ]
+ok "the starter compiles and is a wrong answer" exits_with 1 "$meshgrade" check edge-table-any work/edge-table-any.c --quick >/dev/null
+echo mine >work/edge-table-any.c
+"$meshgrade" start edge-table-any work >/dev/null 2>&1
+ok "start never overwrites a student's work" [ "$(cat work/edge-table-any.c)" = mine ]
+done_testing

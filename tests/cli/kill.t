@@ -1,0 +1,34 @@
+#!/bin/bash
+# kill -9 of grade at 20 points, then grade again: the same results as an undisturbed run.
+. "$(dirname "$0")/tap.sh"
+class=$scratch/class
+euler=$submissions/topology/euler-closed-mesh
+for student in a b c; do mkdir -p "$class/$student"; done
+cp "$(ls "$euler"/right/*.c | head -n 1)" "$class/a/euler-closed-mesh.c"
+cp "$(ls "$euler"/wrong/*.c | head -n 1)" "$class/b/euler-closed-mesh.c"
+cp "$(ls "$euler"/wrong/*.c | tail -n 1)" "$class/c/euler-closed-mesh.c"
+
+"$meshgrade" grade "$class" -o "$scratch/whole" --no-pictures -j 1 >/dev/null 2>&1
+ok "an undisturbed run gives three results" [ "$(ls "$scratch"/whole/results/*/*.json | wc -l)" -eq 3 ]
+
+# The points are spread over the steps of a run by counting what it does, not by the clock: the
+# run is stopped when its trace has grown to k/20 of a whole run's.
+points=20
+for ((k = 1; k <= points; k++)); do
+    out=$scratch/out$k
+    "$meshgrade" grade "$class" -o "$out" --no-pictures -j 1 >/dev/null 2>&1 &
+    pid=$!
+    spent=0
+    # charged CPU of the run in ticks, from /proc: kill after 4 k of them
+    while [ "$spent" -lt $((k * 6)) ] && kill -0 $pid 2>/dev/null; do
+        read -r _ _ _ _ _ _ _ _ _ _ _ _ _ utime stime cutime cstime _ <"/proc/$pid/stat" 2>/dev/null || break
+        spent=$((utime + stime + cutime + cstime))
+    done
+    kill -9 $pid 2>/dev/null
+    wait $pid 2>/dev/null
+    "$meshgrade" grade "$class" -o "$out" --no-pictures -j 1 >/dev/null 2>&1
+    ok "killed at point $k, graded again" diff -r "$scratch/whole/results" "$out/results"
+    rm -rf "$out"
+done
+ok "no scratch folder is left" [ -z "$(ls "$scratch"/out*/scratch 2>/dev/null)" ]
+done_testing
