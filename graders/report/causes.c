@@ -4,33 +4,37 @@
 #include <stdlib.h>
 #include <string.h>
 
-static struct cause *find_or_add(struct causes *causes, const char *slug, size_t student_count)
+static struct cause *find_or_add(struct causes *causes, const char *slug)
 {
     for (size_t i = 0; i < causes->count; i++)
         if (strcmp(causes->list[i].slug, slug) == 0)
             return &causes->list[i];
-    struct cause *larger = realloc(causes->list, (causes->count + 1) * sizeof *larger);
-    if (!larger)
+    struct cause *list = realloc(causes->list, (causes->count + 1) * sizeof *list);
+    if (!list)
         return NULL;
-    causes->list = larger;
-    bool *has_student = calloc(student_count + 1, sizeof *has_student);
-    if (!has_student)
+    causes->list = list;
+    size_t columns = causes->student_count;
+    bool *touched = realloc(causes->touched, (causes->count + 1) * columns * sizeof *touched);
+    if (!touched)
         return NULL;
-    causes->list[causes->count] =
-        (struct cause){.slug = slug, .example = {"", ""}, .has_student = has_student};
-    return &causes->list[causes->count++];
+    causes->touched = touched;
+    memset(touched + causes->count * columns, 0, columns * sizeof *touched);
+    struct cause *added = &list[causes->count];
+    *added = (struct cause){.slug = slug, .example = {"", ""}, .row = causes->count};
+    causes->count++;
+    return added;
 }
 
 /* Notes that `student` lost points by `slug`; `one` is the case that says so, or NULL. */
-static int note(struct causes *causes, const struct gradebook *book, size_t student,
-                const json_t *result, const char *slug, struct words message, const json_t *one)
+static int note(struct causes *causes, size_t student, const json_t *result, const char *slug,
+                struct words message, const json_t *one)
 {
-    struct cause *cause = find_or_add(causes, slug, book->student_count);
+    struct cause *cause = find_or_add(causes, slug);
     if (!cause)
         return -1;
-    if (!cause->has_student[student])
-        cause->student_count++;
-    cause->has_student[student] = true;
+    bool *touched = &causes->touched[cause->row * causes->student_count + student];
+    cause->student_count += !*touched;
+    *touched = true;
     if (!*cause->example.en) {
         cause->example = message;
         cause->result = result;
@@ -42,28 +46,26 @@ static int note(struct causes *causes, const struct gradebook *book, size_t stud
     return 0;
 }
 
-static int note_result(struct causes *causes, const struct gradebook *book, size_t student,
-                       const json_t *result)
+static int note_result(struct causes *causes, size_t student, const json_t *result)
 {
     size_t i;
     json_t *part;
     json_array_foreach(json_object_get(result, "cases"), i, part)
     {
         if (words_outcome(result_text(part, "verdict")) == OUTCOME_FAILED &&
-            note(causes, book, student, result, result_text(part, "cause"),
-                 words_in(part, "message"), part) != 0)
+            note(causes, student, result, result_text(part, "cause"), words_in(part, "message"),
+                 part) != 0)
             return -1;
     }
     json_array_foreach(json_object_get(result, "checks"), i, part)
     {
         if (words_outcome(result_text(part, "verdict")) == OUTCOME_FAILED &&
-            note(causes, book, student, result, result_text(part, "verdict"),
-                 words_in(part, "message"), NULL) != 0)
+            note(causes, student, result, result_text(part, "verdict"), words_in(part, "message"),
+                 NULL) != 0)
             return -1;
     }
     if (strcmp(result_text(result, "verdict"), "compile-error") == 0)
-        return note(causes, book, student, result, "compile-error", words_in(result, "summary"),
-                    NULL);
+        return note(causes, student, result, "compile-error", words_in(result, "summary"), NULL);
     return 0;
 }
 
@@ -79,13 +81,13 @@ static int by_frequency(const void *a, const void *b)
 int causes_of(const struct gradebook *book, size_t exercise, struct causes *causes,
               struct error *err)
 {
-    *causes = (struct causes){0};
+    *causes = (struct causes){.student_count = book->student_count};
     for (size_t s = 0; s < book->student_count; s++) {
         const json_t *result = book->students[s].results[exercise];
         if (!result)
             continue;
         causes->answer_count++;
-        if (note_result(causes, book, s, result) != 0) {
+        if (note_result(causes, s, result) != 0) {
             causes_release(causes);
             return error_set(err, "out of memory for the causes");
         }
@@ -95,10 +97,14 @@ int causes_of(const struct gradebook *book, size_t exercise, struct causes *caus
     return 0;
 }
 
+bool causes_touch(const struct causes *causes, const struct cause *cause, size_t student)
+{
+    return causes->touched[cause->row * causes->student_count + student];
+}
+
 void causes_release(struct causes *causes)
 {
-    for (size_t i = 0; i < causes->count; i++)
-        free(causes->list[i].has_student);
+    free(causes->touched);
     free(causes->list);
     *causes = (struct causes){0};
 }

@@ -12,18 +12,24 @@ struct cause {
     const char *case_name; /* the first case with this cause and a scene; NULL when there is none */
     const json_t *scene_result; /* and its result */
     size_t student_count;
-    bool *has_student; /* one a student of the gradebook */
+    size_t row; /* for causes_touch */
 };
 
 struct causes {
     struct cause *list; /* most frequent first, then by slug */
     size_t count;
     size_t answer_count; /* students who submitted the exercise */
+    bool *touched;       /* a row of students for each cause */
+    size_t student_count;
 };
 
 /* Counts each cause once a student. Release the causes before the gradebook. */
 int causes_of(const struct gradebook *book, size_t exercise, struct causes *causes,
               struct error *err) MUST_CHECK;
+
+/* Whether a student of the gradebook lost points by a cause. */
+bool causes_touch(const struct causes *causes, const struct cause *cause, size_t student);
+
 void causes_release(struct causes *causes);
 
 #endif

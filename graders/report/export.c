@@ -70,11 +70,7 @@ static int select_student(struct gradebook *book, const char *wanted, struct err
         free(shown);
         return -1;
     }
-    struct student kept = book->students[found];
-    book->students[found] = book->students[0];
-    book->students[0] = kept;
-    for (size_t s = 1; s < book->student_count; s++)
-        free(book->students[s].results);
+    book->students[0] = book->students[found];
     book->student_count = 1;
     return 0;
 }

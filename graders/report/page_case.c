@@ -58,14 +58,18 @@ static int write_scene_script(const struct page_context *context, const char *st
                               const json_t *scene, struct error *err)
 {
     char path[DOCUMENT_PATH_BYTES];
+    if (document_path(path, err, "%s/%s.js", context->out, stem) != 0)
+        return -1;
     char *text = json_dumps(scene, JSON_COMPACT | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(15));
     char *script = NULL;
-    if (!text || asprintf(&script, "meshgrade_scene(\"%s\", %s);\n", stem, text) < 0)
-        script = NULL;
-    int status = script ? 0 : error_set(err, "out of memory for a scene");
-    if (status == 0 && document_path(path, err, "%s/%s.js", context->out, stem) == 0)
-        status = document_write(path, script, strlen(script), err);
-    free(script);
+    int length = text ? asprintf(&script, "meshgrade_scene(\"%s\", %s);\n", stem, text) : -1;
+    int status = -1;
+    if (length >= 0)
+        status = document_write(path, script, (size_t)length, err);
+    else
+        error_set(err, "out of memory for a scene");
+    if (length >= 0)
+        free(script);
     free(text);
     return status;
 }

@@ -8,7 +8,8 @@
 
 /* A few names stand open, many behind a line to open. */
 static void write_students(struct html *page, const struct gradebook *book,
-                           const struct exercise *exercise, const struct cause *cause)
+                           const struct exercise *exercise, const struct causes *causes,
+                           const struct cause *cause)
 {
     enum { OPEN_NAMES = 4 };
     bool is_long = cause->student_count > OPEN_NAMES;
@@ -18,7 +19,7 @@ static void write_students(struct html *page, const struct gradebook *book,
         html_both_leaf(page, "summary", NULL, (struct words){"who", "quiénes"});
     bool is_first = true;
     for (size_t s = 0; s < book->student_count; s++) {
-        if (!cause->has_student[s])
+        if (!causes_touch(causes, cause, s))
             continue;
         char path[400];
         snprintf(path, sizeof path, "students/%s.html#%s", book->students[s].folder,
@@ -36,7 +37,8 @@ static void write_students(struct html *page, const struct gradebook *book,
 }
 
 static void write_cause(struct html *page, const struct gradebook *book,
-                        const struct exercise *exercise, const struct cause *cause, size_t answers)
+                        const struct exercise *exercise, const struct causes *causes,
+                        const struct cause *cause)
 {
     char label[64];
     html_open(page, "li");
@@ -44,7 +46,7 @@ static void write_cause(struct html *page, const struct gradebook *book,
     html_attribute(page, "class", "tally");
     html_format(page, "%zu", cause->student_count);
     html_both(page, (struct words){" of ", " de "});
-    html_format(page, "%zu", answers);
+    html_format(page, "%zu", causes->answer_count);
     html_close(page, "span");
     html_open(page, "div");
     if (words_know_verdict(cause->slug)) {
@@ -59,7 +61,7 @@ static void write_cause(struct html *page, const struct gradebook *book,
         html_both(page, cause->example);
         html_close(page, "span");
     }
-    write_students(page, book, exercise, cause);
+    write_students(page, book, exercise, causes, cause);
     html_close(page, "div");
     html_close(page, "li");
 }
@@ -80,8 +82,7 @@ static int write_exercise(struct html *page, const struct gradebook *book, size_
         html_open(page, "ol");
         html_attribute(page, "class", "causes");
         for (size_t i = 0; i < causes.count && i < SHOWN; i++)
-            write_cause(page, book, &book->exercises[exercise], &causes.list[i],
-                        causes.answer_count);
+            write_cause(page, book, &book->exercises[exercise], &causes, &causes.list[i]);
         html_close(page, "ol");
         html_close(page, "section");
     }

@@ -161,6 +161,8 @@ static int place(struct gradebook *book, json_t *result, struct error *err)
 {
     struct exercise *exercise = find_exercise(book, result_text(result, "exercise"));
     struct student *student = find_student(book, result_text(result, "student_folder"));
+    if (!exercise || !student)
+        return error_set(err, "a result is neither of a student nor of an exercise of the class");
     json_t **cell = &student->results[exercise - book->exercises];
     if (*cell)
         return error_set(err, "two results of %s for %s", exercise->name, student->folder);
@@ -180,11 +182,13 @@ int gradebook_from(json_t *results, struct gradebook *book, struct error *err)
 {
     *book = (struct gradebook){.all = json_incref(results)};
     int status = collect(book, err);
-    for (size_t i = 0; status == 0 && i < book->student_count; i++) {
-        book->students[i].results = calloc(book->exercise_count + 1, sizeof(json_t *));
-        if (!book->students[i].results)
+    if (status == 0) {
+        book->cells = calloc(book->student_count * book->exercise_count + 1, sizeof *book->cells);
+        if (!book->cells)
             status = error_set(err, "out of memory for %zu students", book->student_count);
     }
+    for (size_t s = 0; status == 0 && s < book->student_count; s++)
+        book->students[s].results = book->cells + s * book->exercise_count;
     size_t i;
     json_t *result;
     json_array_foreach(results, i, result)
@@ -204,8 +208,7 @@ int gradebook_from(json_t *results, struct gradebook *book, struct error *err)
 
 void gradebook_release(struct gradebook *book)
 {
-    for (size_t i = 0; i < book->student_count; i++)
-        free(book->students[i].results);
+    free(book->cells);
     free(book->students);
     free(book->exercises);
     json_decref(book->all);

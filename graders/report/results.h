@@ -19,7 +19,7 @@ struct exercise {
 struct student {
     const json_t *name; /* the untrusted string */
     const char *folder;
-    json_t **results; /* one an exercise; NULL: nothing submitted */
+    json_t **results; /* one an exercise; NULL: nothing submitted; owned by the book */
     double score;     /* sum of the scores */
     int unscored;     /* results that are fault or flagged: the sum is not the last word */
 };
@@ -29,6 +29,7 @@ struct gradebook {
     struct exercise *exercises; /* by number in the course, then name */
     struct student *students;   /* by name, then folder */
     double max_score;           /* sum over the exercises */
+    json_t **cells;             /* every student's results, borrowed from `all` */
     json_t *all;                /* owns the results: an array in no order */
 };
 

@@ -92,31 +92,42 @@ static void put_again(FILE *to, const json_t *result, const struct terminal_styl
     terminal_line(to, style->spanish ? "  repetir " : "  again   ", command, sizeof command);
 }
 
-/* What is wrong, in one line: verdict and sentence, or the sentence alone when both do not fit.
- * When even that had to be cut, the whole follows below the three lines. */
+/* What is wrong, in one line: the verdict and the first sentence, or the sentence alone when both
+ * do not fit. Returns whether that was all there is to say. */
+static bool put_what(FILE *to, const char *verdict, const char *message,
+                     const struct terminal_style *style)
+{
+    char start[128];
+    char sentence[700];
+    enum outcome outcome = words_outcome(verdict);
+    size_t length = terminal_sentence(message);
+    snprintf(sentence, sizeof sentence, "%.*s", (int)length, message);
+    snprintf(start, sizeof start, "%s %s: ", words_symbol(outcome),
+             words_choose(words_verdict(verdict), style->spanish));
+    if (clean_columns(start) + clean_columns(sentence) > TERMINAL_COLUMNS)
+        snprintf(start, sizeof start, "%s ", words_symbol(outcome));
+    terminal_colour(to, style, outcome);
+    bool whole = terminal_line(to, start, sentence, TERMINAL_COLUMNS);
+    terminal_plain(to, style);
+    return whole && message[length] == '\0';
+}
+
 static void put_head(FILE *to, const json_t *result, const struct terminal_style *style)
 {
     const char *verdict = result_text(result, "verdict");
     const json_t *one = telling_case(result);
-    const char *sentence =
+    const char *message =
         words_choose(words_in(one ? one : result, one ? "message" : "summary"), style->spanish);
-    if (!*sentence)
-        sentence = words_choose(words_in(result, "summary"), style->spanish);
-    char start[128];
-    snprintf(start, sizeof start, "%s %s: ", words_symbol(words_outcome(verdict)),
-             words_choose(words_verdict(verdict), style->spanish));
-    if (clean_columns(start) + clean_columns(sentence) > TERMINAL_COLUMNS)
-        snprintf(start, sizeof start, "%s ", words_symbol(words_outcome(verdict)));
-    terminal_colour(to, style, words_outcome(verdict));
-    bool whole = terminal_line(to, start, sentence, TERMINAL_COLUMNS);
-    terminal_plain(to, style);
+    if (!*message)
+        message = words_choose(words_in(result, "summary"), style->spanish);
+    bool told = put_what(to, verdict, message, style);
     if (words_outcome(verdict) == OUTCOME_PASSED)
         return;
     put_where(to, result, style);
     put_again(to, result, style);
-    if (!whole) {
+    if (!told) {
         fputc('\n', to);
-        terminal_paragraph(to, "  ", sentence);
+        terminal_paragraph(to, "  ", message);
     }
 }
 
@@ -243,9 +254,11 @@ static void put_other_cases(FILE *to, const json_t *result, const struct termina
         if (count++ >= SHOWN)
             continue;
         char start[200];
+        char sentence[700];
+        const char *message = words_choose(words_in(one, "message"), style->spanish);
         snprintf(start, sizeof start, "  %s: ", result_text(one, "name"));
-        terminal_line(to, start, words_choose(words_in(one, "message"), style->spanish),
-                      TERMINAL_COLUMNS);
+        snprintf(sentence, sizeof sentence, "%.*s", (int)terminal_sentence(message), message);
+        terminal_line(to, start, sentence, TERMINAL_COLUMNS);
     }
     if (count > SHOWN)
         fprintf(to, style->spanish ? "  y %zu más\n" : "  and %zu more\n", count - SHOWN);

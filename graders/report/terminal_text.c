@@ -64,6 +64,12 @@ bool terminal_line(FILE *to, const char *start, const char *text, size_t columns
     return whole;
 }
 
+size_t terminal_sentence(const char *text)
+{
+    const char *end = strstr(text, ". ");
+    return end ? (size_t)(end + 1 - text) : strlen(text);
+}
+
 void terminal_cell(FILE *to, const char *text, size_t columns, bool right)
 {
     bool whole = false;

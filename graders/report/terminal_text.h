@@ -17,6 +17,9 @@ void terminal_plain(FILE *to, const struct terminal_style *style);
  * whole. */
 bool terminal_line(FILE *to, const char *start, const char *text, size_t columns);
 
+/* Bytes of the first sentence of a text: up to a full stop before a blank, else all. */
+size_t terminal_sentence(const char *text);
+
 /* Text in exactly `columns`, cut with "..." or filled with blanks (before it, when `right`). */
 void terminal_cell(FILE *to, const char *text, size_t columns, bool right);
 

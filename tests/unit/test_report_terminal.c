@@ -99,6 +99,27 @@ static void test_a_long_message_is_cut_and_then_told_whole(void **state)
     json_decref(result);
 }
 
+static void test_the_first_sentence_stands_alone(void **state)
+{
+    (void)state;
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    size_t i;
+    json_t *one;
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        json_object_set_new(json_object_get(one, "message"), "en",
+                            json_string("Edge 3 (1,0) is listed twice. Entries that repeat an "
+                                        "earlier one: 6. That is too many."));
+    }
+    char *text = print(result, (struct terminal_style){0});
+    assert_int_equal(strncmp(text, "✗ wrong answer: Edge 3 (1,0) is listed twice.\n  where ", 54),
+                     0);
+    assert_non_null(strstr(text, "\n\n  Edge 3 (1,0) is listed twice. Entries that"));
+    assert_non_null(strstr(text, "  grid-hole: Edge 3 (1,0) is listed twice.\n"));
+    free(text);
+    json_decref(result);
+}
+
 static void test_every_verdict_fits_and_is_inert(void **state)
 {
     (void)state;
@@ -145,6 +166,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_three_lines_say_what_where_and_how),
         cmocka_unit_test(test_a_long_message_is_cut_and_then_told_whole),
+        cmocka_unit_test(test_the_first_sentence_stands_alone),
         cmocka_unit_test(test_every_verdict_fits_and_is_inert),
         cmocka_unit_test(test_colour_only_when_asked_for),
     };
