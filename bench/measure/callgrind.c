@@ -192,23 +192,28 @@ static int read_positions(struct parser *parser, struct slice line)
                : fail(parser, "positions should be line, instr or both");
 }
 
-static int make_room(struct parser *parser, int64_t number)
+/* The function of that number, with room made for it; NULL after an error. */
+static struct function *function_at(struct parser *parser, int64_t number)
 {
-    if (number >= FUNCTIONS_MAX)
-        return fail(parser, "a function number above 65,535");
-    if (number < parser->function_capacity)
-        return 0;
-    int64_t capacity = parser->function_capacity ? parser->function_capacity : 256;
-    while (capacity <= number)
-        capacity *= 2;
-    struct function *larger = realloc(parser->functions, (size_t)capacity * sizeof *larger);
-    if (!larger)
-        return fail(parser, "out of memory");
-    memset(larger + parser->function_capacity, 0,
-           (size_t)(capacity - parser->function_capacity) * sizeof *larger);
-    parser->functions = larger;
-    parser->function_capacity = capacity;
-    return 0;
+    if (number >= FUNCTIONS_MAX) {
+        fail(parser, "a function number above 65,535");
+        return NULL;
+    }
+    if (number >= parser->function_capacity) {
+        int64_t capacity = parser->function_capacity ? parser->function_capacity : 256;
+        while (capacity <= number)
+            capacity *= 2;
+        struct function *larger = realloc(parser->functions, (size_t)capacity * sizeof *larger);
+        if (!larger) {
+            fail(parser, "out of memory");
+            return NULL;
+        }
+        memset(larger + parser->function_capacity, 0,
+               (size_t)(capacity - parser->function_capacity) * sizeof *larger);
+        parser->functions = larger;
+        parser->function_capacity = capacity;
+    }
+    return &parser->functions[number];
 }
 
 /* `(104) edge_table_any`, `(104)`: remembers the name; `number` may be NULL. */
@@ -218,10 +223,11 @@ static int read_function(struct parser *parser, struct slice line, int64_t *numb
     if (!take(&line, "(") || !take_number(&line, &at) || !take(&line, ")"))
         return fail(parser,
                     "a function without a number (run callgrind with --compress-strings=yes)");
-    if (make_room(parser, at))
+    struct function *function = function_at(parser, at);
+    if (!function)
         return -1;
     if (line.at < line.end)
-        parser->functions[at].name = line;
+        function->name = line;
     if (number)
         *number = at;
     return 0;

@@ -65,64 +65,75 @@ struct mixture {
     double residual; /* sum of squared relative residuals */
 };
 
-/* Least squares of sum_k c_k column_k against 1 for the terms in `chosen`, by modified Gram-Schmidt
- * with columns scaled to length 1. Returns false when they are dependent or a coefficient is not
- * positive. */
+/* Columns of a least-squares problem, made orthonormal one by one (modified Gram-Schmidt). */
+struct basis {
+    int terms, points;
+    int class[CLASSES];
+    double column[CLASSES][SIZES]; /* orthonormal */
+    double r[CLASSES][CLASSES];    /* what they were made of */
+    double scale[CLASSES];         /* of the original column, to length 1 */
+    double projection[CLASSES];    /* of the right-hand side on each */
+    double left[SIZES];            /* of the right-hand side */
+};
+
+static double dot(const double *a, const double *b, int count)
+{
+    double sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/* Adds the column of a class. Returns false when it depends on those before. */
+static bool add_column(struct basis *basis, const struct mixture *m, int class)
+{
+    const int k = basis->terms, points = basis->points;
+    double *q = basis->column[k];
+    for (int i = 0; i < points; i++)
+        q[i] = growth_term(class, m->n[i]) / m->y[i];
+    basis->scale[k] = 1 / sqrt(dot(q, q, points));
+    for (int i = 0; i < points; i++)
+        q[i] *= basis->scale[k];
+    for (int j = 0; j < k; j++) {
+        basis->r[j][k] = dot(basis->column[j], q, points);
+        for (int i = 0; i < points; i++)
+            q[i] -= basis->r[j][k] * basis->column[j][i];
+    }
+    double square = dot(q, q, points);
+    if (!(square > 1e-20))
+        return false;
+    basis->r[k][k] = sqrt(square);
+    for (int i = 0; i < points; i++)
+        q[i] /= basis->r[k][k];
+    basis->projection[k] = dot(q, basis->left, points);
+    for (int i = 0; i < points; i++)
+        basis->left[i] -= basis->projection[k] * q[i];
+    basis->class[basis->terms++] = class;
+    return true;
+}
+
+/* Least squares of sum_k c_k column_k against 1 for the terms in `chosen`. Returns false when the
+ * columns are dependent or a coefficient is not positive. */
 static bool solve(const struct mixture *m, unsigned chosen, double coefficient[CLASSES],
                   double *residual)
 {
-    double column[CLASSES][SIZES], r[CLASSES][CLASSES], scale[CLASSES], projection[CLASSES];
-    double left[SIZES];
-    int class[CLASSES], terms = 0;
+    struct basis basis = {.points = m->count};
     for (int i = 0; i < m->count; i++)
-        left[i] = 1;
-    for (int k = 0; k < CLASSES; k++) {
-        if (!(chosen >> k & 1))
-            continue;
-        double *q = column[terms], square = 0;
-        for (int i = 0; i < m->count; i++) {
-            q[i] = growth_term(k, m->n[i]) / m->y[i];
-            square += q[i] * q[i];
-        }
-        scale[terms] = 1 / sqrt(square);
-        for (int i = 0; i < m->count; i++)
-            q[i] *= scale[terms];
-        for (int j = 0; j < terms; j++) {
-            r[j][terms] = 0;
-            for (int i = 0; i < m->count; i++)
-                r[j][terms] += column[j][i] * q[i];
-            for (int i = 0; i < m->count; i++)
-                q[i] -= r[j][terms] * column[j][i];
-        }
-        square = 0;
-        for (int i = 0; i < m->count; i++)
-            square += q[i] * q[i];
-        if (!(square > 1e-20))
-            return false;
-        r[terms][terms] = sqrt(square);
-        projection[terms] = 0;
-        for (int i = 0; i < m->count; i++) {
-            q[i] /= r[terms][terms];
-            projection[terms] += q[i] * left[i];
-        }
-        for (int i = 0; i < m->count; i++)
-            left[i] -= projection[terms] * q[i];
-        class[terms++] = k;
-    }
-    *residual = 0;
-    for (int i = 0; i < m->count; i++)
-        *residual += left[i] * left[i];
+        basis.left[i] = 1;
     for (int k = 0; k < CLASSES; k++)
-        coefficient[k] = 0;
+        if ((chosen >> k & 1) && !add_column(&basis, m, k))
+            return false;
+    *residual = dot(basis.left, basis.left, m->count);
+    memset(coefficient, 0, CLASSES * sizeof *coefficient);
     double x[CLASSES];
-    for (int k = terms - 1; k >= 0; k--) {
-        x[k] = projection[k];
-        for (int j = k + 1; j < terms; j++)
-            x[k] -= r[k][j] * x[j];
-        x[k] /= r[k][k];
+    for (int k = basis.terms - 1; k >= 0; k--) {
+        x[k] = basis.projection[k];
+        for (int j = k + 1; j < basis.terms; j++)
+            x[k] -= basis.r[k][j] * x[j];
+        x[k] /= basis.r[k][k];
         if (!(x[k] > 0))
             return false;
-        coefficient[class[k]] = x[k] * scale[k];
+        coefficient[basis.class[k]] = x[k] * basis.scale[k];
     }
     return true;
 }
@@ -187,22 +198,18 @@ static enum growth_decision decide(const struct growth_fit *fit, int bound, bool
     return last || fit->excess >= FAIL_SHARE ? GROWTH_FAIL : GROWTH_UNDECIDED;
 }
 
-/* The largest class that, with those above it, does enough of the work to matter; never one that
- * contradicts the decision. */
+/* The largest class that, with those above it, does enough of the work to matter. More than the
+ * share that passes is never below the bound, so the label contradicts a decision only when doubt
+ * made it PASS. */
 static enum growth_class label(const struct growth_fit *fit, int bound)
 {
-    double share = 0;
-    int class = GROWTH_N_CUBED, largest = bound;
-    while (class > GROWTH_CONSTANT && (share += fit->share[class]) < PASS_SHARE)
-        class --;
-    if (fit->decision == GROWTH_PASS && class > bound)
-        return (enum growth_class)bound;
-    for (int k = bound + 1; k < CLASSES; k++)
-        if (largest == bound || fit->share[k] > fit->share[largest])
-            largest = k;
-    if (fit->decision == GROWTH_FAIL && class <= bound)
-        return (enum growth_class)largest;
-    return (enum growth_class) class;
+    int highest = GROWTH_N_CUBED;
+    double share = fit->share[highest];
+    while (highest > GROWTH_CONSTANT && share < PASS_SHARE)
+        share += fit->share[--highest];
+    if (fit->decision == GROWTH_PASS && highest > bound)
+        highest = bound;
+    return (enum growth_class)highest;
 }
 
 static int check(const int64_t *sizes, const int64_t *counts, int count, enum growth_class allowed,

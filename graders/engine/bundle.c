@@ -135,16 +135,17 @@ int bundle_add(struct bundle *bundle, const char *path, unsigned char *bytes, si
         bundle->files = larger;
         bundle->capacity = capacity;
     }
-    char *copy = strdup(path);
-    if (!copy) {
+    struct bundle_file *file = &bundle->files[bundle->count];
+    *file = (struct bundle_file){.bytes = bytes, .count = count};
+    file->path = strdup(path);
+    if (!file->path) {
         free(bytes);
         return error_set(err, "out of memory");
     }
-    struct bundle_file *file = &bundle->files[bundle->count++];
-    *file = (struct bundle_file){.path = copy, .bytes = bytes, .count = count};
     if (refusal)
         file->refusal = *refusal;
     bundle->bytes += (int64_t)count;
+    bundle->count++;
     return 0;
 }
 

@@ -127,7 +127,7 @@ char *names_gradescope(const char *metadata, size_t bytes, const char *folder, s
     enum { NAMES_BYTES = 1024 };
     char joined[NAMES_BYTES];
     size_t used = 0, length;
-    const char *at = metadata, *end = metadata + bytes, *line;
+    const char *at = bytes ? metadata : "", *end = at + bytes, *line;
     bool inside = false;
     while (bytes && next_line(&at, end, &line, &length)) {
         if (length && line[0] != ' ' && line[0] != '-' && line[0] != '#')

@@ -105,60 +105,7 @@ static int compare_entries(const void *a, const void *b)
     return order;
 }
 
-static bool is_same_student(const struct entry *a, const struct entry *b)
-{
-    return a->student == b->student && strcmp(a->upload.student, b->upload.student) == 0;
-}
-
-static bool is_taken(const struct entry *entries, int count, const char *folder)
-{
-    for (int i = 0; i < count; i++)
-        if (strcasecmp(entries[i].upload.student_folder, folder) == 0)
-            return true;
-    return false;
-}
-
-/* Gives each student a folder name that no other has, whatever the letter case. */
-static int name_folders(struct entry *entries, int count, struct error *err)
-{
-    for (int i = 0; i < count; i++) {
-        char slug[NAMES_SLUG], folder[NAMES_SLUG + 16];
-        if (i > 0 && is_same_student(&entries[i], &entries[i - 1])) {
-            snprintf(folder, sizeof folder, "%s", entries[i - 1].upload.student_folder);
-        } else {
-            names_slug(slug, entries[i].upload.student);
-            snprintf(folder, sizeof folder, "%s", slug);
-            for (int n = 2; is_taken(entries, i, folder); n++)
-                snprintf(folder, sizeof folder, "%s-%d", slug, n);
-        }
-        entries[i].upload.student_folder = strdup(folder);
-        if (!entries[i].upload.student_folder)
-            return error_set(err, "reading submissions: out of memory");
-    }
-    return 0;
-}
-
-/* Refuses what one student handed in twice for one exercise, and keeps it once. */
-static int join_twins(struct entry *entries, int count)
-{
-    int kept = 0;
-    for (int i = 0; i < count; i++) {
-        struct entry *last = kept ? &entries[kept - 1] : NULL;
-        if (last && is_same_student(last, &entries[i]) &&
-            last->upload.exercise == entries[i].upload.exercise) {
-            refuse(&last->upload.refusal, "file-twice", "%s was handed in twice.",
-                   "%s se entregó dos veces.",
-                   last->upload.exercise ? last->upload.exercise : "the submission");
-            upload_settle(&last->upload);
-            upload_release(&entries[i].upload);
-        } else {
-            entries[kept++] = entries[i];
-        }
-    }
-    return kept;
-}
-
-static int finish_list(struct roster *roster, struct error *err)
+static int sort_roster(struct roster *roster, struct error *err)
 {
     struct upload_list *list = roster->list;
     struct entry *entries = calloc((size_t)list->count + 1, sizeof *entries);
@@ -167,12 +114,79 @@ static int finish_list(struct roster *roster, struct error *err)
     for (int i = 0; i < list->count; i++)
         entries[i] = (struct entry){list->uploads[i], roster->students[i]};
     qsort(entries, (size_t)list->count, sizeof *entries, compare_entries);
-    list->count = join_twins(entries, list->count);
-    int result = name_folders(entries, list->count, err);
-    for (int i = 0; i < list->count; i++)
+    for (int i = 0; i < list->count; i++) {
         list->uploads[i] = entries[i].upload;
+        roster->students[i] = entries[i].student;
+    }
     free(entries);
-    return result;
+    return 0;
+}
+
+static bool is_same_student(const struct roster *roster, int a, int b)
+{
+    const struct upload *uploads = roster->list->uploads;
+    return roster->students[a] == roster->students[b] &&
+           strcmp(uploads[a].student, uploads[b].student) == 0;
+}
+
+/* Refuses what one student handed in twice for one exercise, and keeps it once. */
+static void join_twins(struct roster *roster)
+{
+    struct upload_list *list = roster->list;
+    int kept = 0;
+    for (int i = 0; i < list->count; i++) {
+        struct upload *last = kept ? &list->uploads[kept - 1] : NULL;
+        if (last && is_same_student(roster, kept - 1, i) &&
+            last->exercise == list->uploads[i].exercise) {
+            refuse(&last->refusal, "file-twice", "%s was handed in twice.",
+                   "%s se entregó dos veces.", last->exercise ? last->exercise : "It");
+            upload_settle(last);
+            upload_release(&list->uploads[i]);
+        } else {
+            list->uploads[kept] = list->uploads[i];
+            roster->students[kept++] = roster->students[i];
+        }
+    }
+    list->count = kept;
+}
+
+static bool is_taken(const struct upload *uploads, int count, const char *folder)
+{
+    for (int i = 0; i < count; i++)
+        if (strcasecmp(uploads[i].student_folder, folder) == 0)
+            return true;
+    return false;
+}
+
+/* Gives each student a folder name that no other has, whatever the letter case. */
+static int name_folders(struct roster *roster, struct error *err)
+{
+    struct upload *uploads = roster->list->uploads;
+    for (int i = 0; i < roster->list->count; i++) {
+        char slug[NAMES_SLUG], folder[NAMES_SLUG + 16];
+        if (i > 0 && is_same_student(roster, i, i - 1)) {
+            snprintf(folder, sizeof folder, "%s", uploads[i - 1].student_folder);
+        } else {
+            names_slug(slug, uploads[i].student);
+            snprintf(folder, sizeof folder, "%s", slug);
+            for (int n = 2; is_taken(uploads, i, folder); n++)
+                snprintf(folder, sizeof folder, "%s-%d", slug, n);
+        }
+        uploads[i].student_folder = strdup(folder);
+        if (!uploads[i].student_folder)
+            return error_set(err, "reading submissions: out of memory");
+    }
+    return 0;
+}
+
+static int finish_list(struct roster *roster, struct error *err)
+{
+    if (!roster->students)
+        return 0; /* nobody handed in anything */
+    if (sort_roster(roster, err))
+        return -1;
+    join_twins(roster);
+    return name_folders(roster, err);
 }
 
 static int compare_strings(const void *a, const void *b)

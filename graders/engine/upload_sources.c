@@ -44,18 +44,22 @@ int upload_take_source(struct upload *upload, const char *name, size_t length, c
         return 0;
     struct upload_file *larger =
         realloc(upload->files, (size_t)(upload->file_count + 1) * sizeof *larger);
-    if (larger)
-        upload->files = larger;
-    struct upload_file file = {strndup(name, length), malloc(count ? count : 1), count};
-    if (!larger || !file.name || !file.bytes) {
-        free(file.name);
-        free(file.bytes);
+    if (!larger)
+        return error_set(err, "reading submissions: out of memory");
+    upload->files = larger;
+    struct upload_file *file = &upload->files[upload->file_count];
+    file->name = strndup(name, length);
+    file->bytes = malloc(count ? count : 1);
+    if (!file->name || !file->bytes) {
+        free(file->name);
+        free(file->bytes);
         return error_set(err, "reading submissions: out of memory");
     }
-    file.name[length - 1] |= 32; /* gcc takes .C for C++ */
+    file->name[length - 1] |= 32; /* gcc takes .C for C++ */
+    file->count = count;
     if (count)
-        memcpy(file.bytes, bytes, count);
-    upload->files[upload->file_count++] = file;
+        memcpy(file->bytes, bytes, count);
+    upload->file_count++;
     return 0;
 }
 

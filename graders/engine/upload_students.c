@@ -62,16 +62,18 @@ static struct upload *add_upload(struct reading *r, const char *display, int exe
     int *students = realloc(r->roster->students, (size_t)(list->count + 1) * sizeof *students);
     if (students)
         r->roster->students = students;
-    char *copy = strdup(display);
-    if (!larger || !students || !copy) {
-        free(copy);
+    if (!larger || !students) {
         out_of_memory(r);
         return NULL;
     }
-    r->roster->students[list->count] = r->student;
-    struct upload *upload = &list->uploads[list->count++];
-    *upload = (struct upload){.student = copy,
-                              .exercise = exercise < 0 ? NULL : r->origin->exercises[exercise]};
+    struct upload *upload = &list->uploads[list->count];
+    *upload = (struct upload){.exercise = exercise < 0 ? NULL : r->origin->exercises[exercise]};
+    upload->student = strdup(display);
+    if (!upload->student) {
+        out_of_memory(r);
+        return NULL;
+    }
+    r->roster->students[list->count++] = r->student;
     return upload;
 }
 

@@ -1,0 +1,37 @@
+/* Any bytes as an object file, and as preprocessed text: no crash, and a refusal always says why.
+ */
+#include "graders/engine/policy.h"
+#include "graders/engine/screen.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);
+
+static void check_refusal(const struct refusal *refusal)
+{
+    bool has_text = refusal->cause[0] && refusal->message[0] && refusal->message_es[0];
+    if (refusal->refused != has_text)
+        abort();
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count)
+{
+    static const char *const functions[] = {"edge_table_any", NULL};
+    const struct screen_rules rules = {functions, 1 << 20};
+    struct screen screen;
+    struct policy policy;
+    if (screen_object(bytes, count, &rules, &screen, NULL))
+        abort();
+    check_refusal(&screen.refusal);
+    for (int i = 1; i < screen.undefined_count; i++)
+        if (strcmp(screen.undefined[i - 1], screen.undefined[i]) >= 0)
+            abort();
+    if (screen.static_bytes < 0 ||
+        (!screen.refusal.refused && screen.static_bytes > rules.static_limit_bytes))
+        abort();
+    screen_release(&screen);
+    policy_check((const char *)bytes, count, "/public", &policy);
+    check_refusal(&policy.refusal);
+    return 0;
+}
