@@ -57,6 +57,7 @@ static const struct field check_fields[] = {{"name", NAME, REQUIRED, NULL},
                                             {"points", POINTS, REQUIRED, NULL},
                                             {"max_points", POINTS, REQUIRED, NULL},
                                             {"verdict", ANY_VERDICT, REQUIRED, NULL},
+                                            {"cause", STRING, OPTIONAL, NULL},
                                             {"message", WORDS, REQUIRED, NULL},
                                             {0}};
 

@@ -294,7 +294,7 @@ def checks_of(verdict, basic):
             own = "not-reached"
         message = SENTENCES[failure] if own == failure else ("", "")
         checks.append({"name": name, "title": {"en": en, "es": es}, "points": points if own == "passed" else 0,
-                       "max_points": points, "verdict": own, "message": {"en": message[0], "es": message[1]}})
+                       "max_points": points, "verdict": own, "cause": "" if own == "passed" else own, "message": {"en": message[0], "es": message[1]}})
     return checks
 
 
