@@ -10,6 +10,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/seccomp.h>
+#include <pthread.h>
 #include <sched.h>
 #include <seccomp.h>
 #include <signal.h>
@@ -82,7 +83,7 @@ static void allow_abort(struct rules *rules)
             argument(2, SCMP_CMP_EQ, SIGABRT));
 }
 
-static void add_run(struct rules *rules, const struct box_plan *plan)
+static void add_run(struct rules *rules)
 {
     const uint32_t allow = SCMP_ACT_ALLOW;
     add_all(rules, allow, calls_run);
@@ -101,9 +102,8 @@ static void add_run(struct rules *rules, const struct box_plan *plan)
     add_if(rules, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(prctl), argument(0, SCMP_CMP_EQ, PR_SET_VMA));
     /* the box's own last two steps, on descriptors that exec closes */
     add_if(rules, allow, SCMP_SYS(sendmsg), argument(0, SCMP_CMP_EQ, SLOT_NOTES));
-    if (plan->program_fd >= 0)
-        add_if2(rules, allow, SCMP_SYS(execveat), argument(0, SCMP_CMP_EQ, SLOT_PROGRAM),
-                argument(4, SCMP_CMP_EQ, AT_EMPTY_PATH));
+    add_if2(rules, allow, SCMP_SYS(execveat), argument(0, SCMP_CMP_EQ, SLOT_PROGRAM),
+            argument(4, SCMP_CMP_EQ, AT_EMPTY_PATH));
 }
 
 /* Signals: only to itself. A compiler may be of several processes, of which the filter knows one.
@@ -145,6 +145,11 @@ static void refuse_processes(struct rules *rules)
 static void add_tools(struct rules *rules, enum box_profile profile)
 {
     static const uint64_t requests[] = {TCGETS, TIOCGWINSZ, FIONREAD, FIOCLEX};
+    /* Not those that make the kernel send signals: to whom, a filter cannot see. */
+    static const uint64_t commands[] = {F_DUPFD,      F_DUPFD_CLOEXEC, F_GETFD,     F_SETFD,
+                                        F_GETFL,      F_SETFL,         F_GETLK,     F_SETLK,
+                                        F_SETLKW,     F_OFD_GETLK,     F_OFD_SETLK, F_OFD_SETLKW,
+                                        F_GETPIPE_SZ, F_SETPIPE_SZ};
     add_all(rules, SCMP_ACT_ALLOW, calls_tools);
     add_all(rules, rules->refuse, calls_forbidden);
     add_all(rules, SCMP_ACT_ERRNO(EPERM), calls_quiet);
@@ -156,34 +161,41 @@ static void add_tools(struct rules *rules, enum box_profile profile)
     add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), argument(0, SCMP_CMP_EQ, 0));
     for (size_t i = 0; i < sizeof requests / sizeof requests[0]; i++)
         add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(ioctl), argument(1, SCMP_CMP_EQ, requests[i]));
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
+        add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(fcntl), argument(1, SCMP_CMP_EQ, commands[i]));
     add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(sendmsg), argument(0, SCMP_CMP_EQ, SLOT_NOTES));
 }
 
-/* The finished filter as the kernel takes it. */
-static int export_filter(struct inside *inside, scmp_filter_ctx context)
+/* A finished filter as the kernel takes it. */
+struct built {
+    struct sock_filter *code;
+    size_t count;
+};
+
+static int export_filter(scmp_filter_ctx context, struct built *built)
 {
     struct stat about;
     int fd = memfd_create("filter", MFD_CLOEXEC), failed = -1;
     if (fd >= 0 && seccomp_export_bpf(context, fd) == 0 && fstat(fd, &about) == 0) {
         size_t bytes = (size_t)about.st_size;
-        inside->filter = malloc(bytes);
-        inside->filter_count = bytes / sizeof inside->filter[0];
-        if (inside->filter && pread(fd, inside->filter, bytes, 0) == (ssize_t)bytes)
+        struct sock_filter *code = malloc(bytes);
+        if (code && pread(fd, code, bytes, 0) == (ssize_t)bytes) {
+            *built = (struct built){code, bytes / sizeof *code};
             failed = 0;
+        } else {
+            free(code);
+        }
     }
     if (fd >= 0)
         close(fd);
     return failed;
 }
 
-int filter_build(struct inside *inside, struct error *err)
+static int build(enum box_profile profile, bool names, struct built *built, struct error *err)
 {
-    const struct box_plan *plan = inside->plan;
-    if (!layer_wanted(plan, BOX_SECCOMP))
-        return 0;
     struct rules rules = {.refuse = SCMP_ACT_NOTIFY};
-    bool run = plan->profile == BOX_RUN;
-    if (layer_wanted(plan, BOX_SECCOMP_NAMES))
+    bool run = profile == BOX_RUN;
+    if (names)
         rules.context = seccomp_init(run ? rules.refuse : SCMP_ACT_ERRNO(ENOSYS));
     if (!rules.context) {
         rules.refuse = SCMP_ACT_KILL_PROCESS;
@@ -195,14 +207,35 @@ int filter_build(struct inside *inside, struct error *err)
     rules.error = seccomp_attr_set(rules.context, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
     seccomp_attr_set(rules.context, SCMP_FLTATR_CTL_OPTIMIZE, 2); /* search by halving */
     if (run)
-        add_run(&rules, plan);
+        add_run(&rules);
     else
-        add_tools(&rules, plan->profile);
-    int failed = rules.error || export_filter(inside, rules.context) ? -1 : 0;
+        add_tools(&rules, profile);
+    int failed = rules.error || export_filter(rules.context, built) ? -1 : 0;
     seccomp_release(rules.context);
     return failed ? error_set(err, "box: cannot make the seccomp filter (libseccomp error %d)",
                               rules.error)
                   : 0;
+}
+
+/* Building takes up to 4 ms, twice what all the rest of a box does, so each kind is built once. The
+ * box's process fills its id into its own copy of this memory. */
+int filter_build(struct inside *inside, struct error *err)
+{
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    static struct built kinds[3][2];
+    const struct box_plan *plan = inside->plan;
+    bool names = layer_wanted(plan, BOX_SECCOMP_NAMES);
+    struct built *kind = &kinds[plan->profile][names];
+    int failed = 0;
+    if (!layer_wanted(plan, BOX_SECCOMP))
+        return 0;
+    pthread_mutex_lock(&lock);
+    if (!kind->code)
+        failed = build(plan->profile, names, kind, err);
+    inside->filter = kind->code;
+    inside->filter_count = kind->count;
+    pthread_mutex_unlock(&lock);
+    return failed;
 }
 
 static void set_own_id(struct inside *inside)

@@ -13,6 +13,7 @@
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -189,6 +190,7 @@ static void reap_until(struct inside *inside, pid_t program)
 _Noreturn void init_main(struct inside *inside)
 {
     reset_signals();
+    umask(022);
     arrange_descriptors(inside);
     await_go(inside);
     if (inside->namespaces & CLONE_NEWUSER)

@@ -69,7 +69,7 @@ struct inside {
     bool other_user;     /* mapped to another user id */
     struct tree trees[TREE_LIMIT];
     int tree_count;
-    struct sock_filter *filter; /* owned */
+    struct sock_filter *filter; /* borrowed from filter.c */
     size_t filter_count;
     probe_function *probe; /* NULL: the plan's program */
     const void *probe_argument;
@@ -108,7 +108,7 @@ void limits_apply(struct inside *inside);
 void limits_apply_address_space(struct inside *inside);
 
 /* ---- filter.c, calls.c */
-/* Builds the filter of a profile in inside->filter. */
+/* Finds or builds the filter of the plan's profile. */
 int filter_build(struct inside *inside, struct error *err);
 /* Loads it for the calling process. Returns the descriptor on which refused calls are told, or -1.
  */

@@ -260,7 +260,7 @@ static struct box_plan plan_of(enum box_layer layer, char *const *argv, int outp
 
 static void say(struct box_probe *out, const char *reason)
 {
-    snprintf(out->reason, sizeof out->reason, "%s", reason);
+    snprintf(out->reason, sizeof out->reason, "%.*s", (int)sizeof out->reason - 1, reason);
 }
 
 /* Whether the outcome shows that the layer works. */

@@ -77,7 +77,7 @@ static void drop_capabilities(struct inside *inside)
         fail(inside, "capset", errno);
 }
 
-static void settle(const struct inside *inside)
+static void settle(struct inside *inside)
 {
     const struct box_plan *plan = inside->plan;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -86,7 +86,8 @@ static void settle(const struct inside *inside)
         cpu_set_t set;
         CPU_ZERO(&set);
         CPU_SET((size_t)plan->cpu, &set);
-        sched_setaffinity(0, sizeof set, &set);
+        if (sched_setaffinity(0, sizeof set, &set))
+            fail(inside, "cannot pin to a cpu", errno);
     }
     /* The same addresses in every run; and gcc 12's AddressSanitizer fails at random on hosts with
      * much address randomness. Where a container refuses this, it is as it was. */

@@ -114,13 +114,12 @@ static int attach_tree(const struct tree *tree)
     return move_mount(tree->fd, "", AT_FDCWD, target, MOVE_MOUNT_F_EMPTY_PATH);
 }
 
-static int mount_scratch(const struct box_plan *plan, const char *target, uint64_t bytes, int mode)
+static int mount_scratch(const char *target, uint64_t bytes, int mode)
 {
     char options[80];
     snprintf(options, sizeof options, "size=%llu,nr_inodes=%d,mode=%o", (unsigned long long)bytes,
              4096, (unsigned)mode);
-    unsigned long flags = MS_NOSUID | MS_NODEV | (plan->profile == BOX_RUN ? MS_NOEXEC : 0);
-    return mount("tmpfs", target, "tmpfs", flags, options);
+    return mount("tmpfs", target, "tmpfs", MS_NOSUID | MS_NODEV | MS_NOEXEC, options);
 }
 
 /* Fills the new root. Returns NULL, or what failed, with errno. */
@@ -133,7 +132,7 @@ static const char *furnish(struct inside *inside)
     root_close_trees(inside);
     if (plan->profile == BOX_RUN)
         return NULL;
-    if (mkdir("tmp", 0755) || mount_scratch(plan, "tmp", plan->scratch_bytes, 01777))
+    if (mkdir("tmp", 0755) || mount_scratch("tmp", plan->scratch_bytes, 01777))
         return "tmp";
     /* Before the host's /proc goes: the kernel grants a new one only beside a whole one. */
     if (plan->profile == BOX_TOOLS &&
@@ -171,7 +170,7 @@ void root_enter(struct inside *inside)
         failed = "private mounts";
     else if (root_take_trees(inside))
         failed = "open_tree";
-    else if (mount_scratch(plan, "/tmp", 1 << 20, 0755) || chdir("/tmp"))
+    else if (mount_scratch("/tmp", 1 << 20, 0755) || chdir("/tmp"))
         failed = "tmpfs";
     else {
         failed = furnish(inside);

@@ -35,6 +35,8 @@ int box_give_folder(const char *path, struct error *err)
 
 static int check_plan(const struct box_plan *plan, struct error *err)
 {
+    if ((unsigned)plan->profile > BOX_BUILD)
+        return error_set(err, "box: unknown profile");
     if (plan->passed_count < 0 || plan->passed_count > BOX_PASSED_LIMIT)
         return error_set(err, "box: %d descriptors to pass, at most %d", plan->passed_count,
                          BOX_PASSED_LIMIT);
@@ -109,7 +111,6 @@ static void close_inside(struct inside *inside)
     close_fd(&inside->init);
     close_fd(&inside->null_fd);
     close_fd(&inside->work_fd);
-    free(inside->filter);
 }
 
 static void read_control(struct msghdr *message, struct box *box)

@@ -77,6 +77,8 @@ static int print(void)
     for (int i = 0; i < 2000; i++)
         if (printf("%d %.3f %s\n", i, sqrt(i), "text") < 0)
             return 1;
+    errno = ENOMEM;
+    perror("first words on stderr"); /* duplicates the descriptor */
     if (fprintf(stderr, "to stderr\n") < 0 || fflush(stdout))
         return 2;
     static char buffer[1 << 16];
