@@ -199,6 +199,8 @@ static void follow_marker(struct reader *r, struct slice line)
         returns |= *flag == '2';
         is_system |= *flag == '3';
     }
+    if (name.count > 2 && memcmp(name.at + name.count - 2, "//", 2) == 0)
+        return; /* with -g: the working folder, which is no file */
     if (!r->main_file.at)
         r->main_file = name;
     bool is_known =

@@ -49,7 +49,7 @@ static struct policy judge(const char *source, const char *flags)
 
 static void expect(const char *source, const char *cause, int line)
 {
-    static const char *const standards[] = {"-std=c17", "-std=gnu17"};
+    static const char *const standards[] = {"-std=c17", "-std=gnu17 -g"};
     for (int i = 0; i < 2; i++) {
         struct policy policy = judge(source, standards[i]);
         assert_string_equal(policy.refusal.cause, cause);
