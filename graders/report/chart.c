@@ -12,45 +12,85 @@ const json_t *chart_growth_family(const json_t *result)
 {
     const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
     const json_t *worst = NULL;
-    double worst_exponent = -1;
+    double worst_excess = 0;
+    double worst_exponent = 0;
     size_t i;
     json_t *family;
     json_array_foreach(json_object_get(growth, "families"), i, family)
     {
-        double exponent = result_number(json_object_get(family, "fit"), "exponent");
-        if (exponent > worst_exponent) {
-            worst = family;
-            worst_exponent = exponent;
-        }
+        const json_t *fit = json_object_get(family, "fit");
+        double excess = result_number(fit, "excess_percent");
+        double exponent = result_number(fit, "exponent");
+        if (worst &&
+            (excess < worst_excess || (excess == worst_excess && exponent <= worst_exponent)))
+            continue;
+        worst = family;
+        worst_excess = excess;
+        worst_exponent = exponent;
     }
     return worst;
 }
 
-/* A scene of two curves over the sizes of a family. `words` are {x_label, title}. */
+/* What sizes count, in the plural; the words under an axis are translated by axis_name. */
+static const char *plural_of(const char *element)
+{
+    static const char *const known[][2] = {{"triangle", "triangles"}, {"vertex", "vertices"},
+                                           {"edge", "edges"},         {"cell", "cells"},
+                                           {"voxel", "voxels"},       {"face", "faces"}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strcmp(known[i][0], element) == 0)
+            return known[i][1];
+    return "elements";
+}
+
+/* The points of a curve that have a place on logarithmic axes. */
+static json_t *curve_of(const json_t *family, const char *key, const char *name, double exponent)
+{
+    json_t *x = json_array();
+    json_t *y = json_array();
+    size_t i;
+    json_t *size;
+    json_array_foreach(json_object_get(family, "sizes"), i, size)
+    {
+        json_t *value = json_array_get(json_object_get(family, key), i);
+        if (!(json_number_value(size) > 0 && json_number_value(value) > 0))
+            continue;
+        json_array_append(x, size);
+        json_array_append(y, value);
+    }
+    return json_pack("{s:s, s:o, s:o, s:f}", "name", name, "x", x, "y", y, "exponent", exponent);
+}
+
+/* A scene of submission and reference over the sizes of a family; NULL when there is no curve. */
 static json_t *two_curves(const json_t *result, const json_t *family, const char *own_key,
                           const char *reference_key, const char *y_label, const char *title)
 {
     const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
-    struct words element = words_in(growth, "element");
-    char x_label[64];
-    snprintf(x_label, sizeof x_label, "%.40s%s", *element.en ? element.en : "element", "s");
-    return json_pack(
-        "{s:s, s:s, s:s%, s:[{s:s, s:O, s:O, s:f}, {s:s, s:O, s:O, s:f}], s:s, s:s,"
-        " s:{s:O, s:s, s:O}}",
-        "kind", "chart", "title", title, "subtitle", result_text(family, "name"),
-        json_string_length(json_object_get(family, "name")), "curves", "name", "submission", "x",
-        json_object_get(family, "sizes"), "y", json_object_get(family, own_key), "exponent",
-        result_number(json_object_get(family, "fit"), "exponent"), "name", "reference", "x",
-        json_object_get(family, "sizes"), "y", json_object_get(family, reference_key), "exponent",
-        0.0, "x_label", x_label, "y_label", y_label, "metadata", "exercise",
-        json_object_get(result, "exercise"), "case", title, "verdict",
-        json_object_get(result, "verdict"));
+    json_t *own = curve_of(family, own_key, "submission",
+                           result_number(json_object_get(family, "fit"), "exponent"));
+    json_t *reference = curve_of(family, reference_key, "reference", 0);
+    json_t *curves = json_array();
+    if (json_array_size(json_object_get(own, "x")) >= 2)
+        json_array_append(curves, own);
+    if (json_array_size(json_object_get(reference, "x")) >= 2)
+        json_array_append(curves, reference);
+    json_decref(own);
+    json_decref(reference);
+    if (json_array_size(curves) == 0) {
+        json_decref(curves);
+        return NULL;
+    }
+    return json_pack("{s:s, s:s, s:s, s:o, s:s, s:s, s:{s:O, s:s, s:O}}", "kind", "chart", "title",
+                     title, "subtitle", result_text(family, "name"), "curves", curves, "x_label",
+                     plural_of(words_in(growth, "element").en), "y_label", y_label, "metadata",
+                     "exercise", json_object_get(result, "exercise"), "case", title, "verdict",
+                     json_object_get(result, "verdict"));
 }
 
 json_t *chart_of_growth(const json_t *result)
 {
     const json_t *family = chart_growth_family(result);
-    if (!family || json_array_size(json_object_get(family, "sizes")) < 2)
+    if (!family)
         return NULL;
     return two_curves(result, family, "instructions", "reference_instructions", "instructions",
                       "growth of the work");
@@ -60,7 +100,7 @@ json_t *chart_of_memory(const json_t *result)
 {
     const json_t *memory = json_object_get(json_object_get(result, "measures"), "memory");
     const json_t *family = json_array_get(json_object_get(memory, "families"), 0);
-    if (!family || json_array_size(json_object_get(family, "sizes")) < 2)
+    if (!family)
         return NULL;
     return two_curves(result, family, "peak_bytes", "reference_peak_bytes", "bytes", "peak memory");
 }
@@ -96,7 +136,7 @@ static void extend(struct axis *axis, const json_t *values)
 
 void chart_number(double value, char *text, size_t capacity)
 {
-    static const char *const units[] = {"", "k", "M", "G", "T"};
+    static const char *const units[] = {"", "k", "M", "G", "T", "P", "E"};
     size_t unit = 0;
     while (fabs(value) >= (unit == 0 ? 9999.5 : 999.5) && unit + 1 < sizeof units / sizeof *units) {
         value /= 1000;
@@ -215,6 +255,8 @@ static struct words curve_name(const char *name)
         return (struct words){"submission", "entrega"};
     if (strcmp(name, "reference") == 0)
         return (struct words){"reference", "referencia"};
+    if (strcmp(name, "right") == 0)
+        return (struct words){"right", "correcto"};
     return (struct words){name, name};
 }
 
@@ -255,10 +297,13 @@ static void draw_legend(struct html *page, const json_t *curves)
 static struct words axis_name(const char *name)
 {
     static const struct words known[] = {{"instructions", "instrucciones"},
-                                         {"bytes", "bytes"},
                                          {"triangles", "triángulos"},
-                                         {"elements", "elementos"},
-                                         {"vertices", "vértices"}};
+                                         {"vertices", "vértices"},
+                                         {"edges", "aristas"},
+                                         {"cells", "celdas"},
+                                         {"voxels", "vóxeles"},
+                                         {"faces", "caras"},
+                                         {"elements", "elementos"}};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (strcmp(known[i].en, name) == 0)
             return known[i];
@@ -283,6 +328,17 @@ static void draw_axis_names(struct html *page, const json_t *scene)
     html_close(page, "text");
 }
 
+/* Gives an axis of a single value some room. Returns whether there is any value. */
+static bool open_up(struct axis *axis)
+{
+    const double least_decades = 0.1;
+    if (axis->high - axis->low < least_decades) {
+        axis->low -= 0.3;
+        axis->high += 0.3;
+    }
+    return axis->low < axis->high;
+}
+
 void chart_draw(struct html *page, const json_t *scene, struct words label)
 {
     const json_t *curves = json_object_get(scene, "curves");
@@ -292,7 +348,7 @@ void chart_draw(struct html *page, const json_t *scene, struct words label)
         extend(&x, json_object_get(json_array_get(curves, i), "x"));
         extend(&y, json_object_get(json_array_get(curves, i), "y"));
     }
-    if (!(x.low < x.high && y.low < y.high))
+    if (!open_up(&x) || !open_up(&y))
         return;
 
     html_open(page, "svg");

@@ -7,8 +7,8 @@
 
 #include <jansson.h>
 
-/* The family of measures.growth that decides: the one whose work grows fastest (borrowed; NULL when
- * there is none). */
+/* The family of measures.growth that decides: the one furthest above what is allowed, and of equal
+ * ones the one with the largest exponent (borrowed; NULL when there is none). */
 const json_t *chart_growth_family(const json_t *result);
 
 /* Chart scenes (format in graders/render/README.md) of submission and reference over doubling
@@ -18,7 +18,7 @@ json_t *chart_of_growth(const json_t *result);
 json_t *chart_of_memory(const json_t *result);
 
 /* Draws a chart scene as an <svg>, with `label` for those who do not see it. A scene without a
- * curve of two positive points draws nothing. */
+ * positive point draws nothing. */
 void chart_draw(struct html *page, const json_t *scene, struct words label);
 
 /* A number as a person writes it: "128", "16k", "2.1M". Writes at most `capacity` bytes. */

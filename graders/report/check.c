@@ -52,14 +52,11 @@ static const struct field class_fields[] = {{"name", NAME, REQUIRED, NULL},
                                             {"cases", COUNT, REQUIRED, NULL},
                                             {0}};
 
-static const struct field check_fields[] = {{"name", NAME, REQUIRED, NULL},
-                                            {"title", WORDS, REQUIRED, NULL},
-                                            {"points", POINTS, REQUIRED, NULL},
-                                            {"max_points", POINTS, REQUIRED, NULL},
-                                            {"verdict", ANY_VERDICT, REQUIRED, NULL},
-                                            {"cause", STRING, OPTIONAL, NULL},
-                                            {"message", WORDS, REQUIRED, NULL},
-                                            {0}};
+static const struct field check_fields[] = {
+    {"name", NAME, REQUIRED, NULL},           {"title", WORDS, REQUIRED, NULL},
+    {"points", POINTS, REQUIRED, NULL},       {"max_points", POINTS, REQUIRED, NULL},
+    {"verdict", ANY_VERDICT, REQUIRED, NULL}, {"cause", STRING, OPTIONAL, NULL},
+    {"message", WORDS, REQUIRED, NULL},       {0}};
 
 static const struct field case_fields[] = {
     {"name", NAME, REQUIRED, NULL},           {"class", NAME, REQUIRED, NULL},

@@ -85,7 +85,16 @@
     });
   }
 
+  /* What an address names may lie in a part that is closed. */
+  function reveal() {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    for (let at = target; at; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
+    if (target) target.scrollIntoView();
+  }
+
   start_languages();
   document.querySelectorAll("table.sortable").forEach(start_sorting);
+  window.addEventListener("hashchange", reveal);
+  reveal();
   document.documentElement.dataset.page = "ready";
 })();

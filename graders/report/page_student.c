@@ -133,7 +133,7 @@ static void write_checks(struct html *page, const json_t *result)
                        words_in(part, "title"));
         html_open(page, "td");
         html_both(page, words_verdict(verdict));
-        if (*words_in(part, "message").en)
+        if (*words_in(part, "message").en && words_outcome(verdict) != OUTCOME_PASSED)
             html_both_leaf(page, "span", "message", words_in(part, "message"));
         html_close(page, "td");
         write_points(page, points, max_points);
@@ -145,21 +145,61 @@ static void write_checks(struct html *page, const json_t *result)
 
 /* ---------------------------------------------------------------- the rest of an exercise */
 
+static bool is_rejected(const json_t *one)
+{
+    enum outcome outcome = words_outcome(result_text(one, "verdict"));
+    return outcome == OUTCOME_FAILED || outcome == OUTCOME_UNSCORED;
+}
+
+/* Whether a rejected case stands open: the first with its cause, and the second, if it has a
+ * picture. More of the same are behind a line to open. */
+static bool is_open(const json_t *cases, size_t index)
+{
+    const json_t *one = json_array_get(cases, index);
+    size_t same = 0;
+    for (size_t i = 0; i < index; i++) {
+        const json_t *earlier = json_array_get(cases, i);
+        same += is_rejected(earlier) &&
+                strcmp(result_text(earlier, "cause"), result_text(one, "cause")) == 0;
+    }
+    return same < (json_is_true(json_object_get(one, "scene")) ? 2 : 1);
+}
+
+/* Writes the rejected cases that are open, or those that are not; with page NULL only counts them.
+ */
+static size_t write_cases_that(bool open, struct html *page, const struct page_context *context,
+                               const json_t *result)
+{
+    const json_t *cases = json_object_get(result, "cases");
+    size_t count = 0;
+    for (size_t i = 0; i < json_array_size(cases); i++) {
+        if (!is_rejected(json_array_get(cases, i)) || is_open(cases, i) != open)
+            continue;
+        count++;
+        if (page)
+            page_case(page, context, result, json_array_get(cases, i));
+    }
+    return count;
+}
+
 static void write_cases(struct html *page, const struct page_context *context, const json_t *result)
 {
-    size_t i;
-    json_t *one;
-    bool any = false;
-    json_array_foreach(json_object_get(result, "cases"), i, one)
-    {
-        enum outcome outcome = words_outcome(result_text(one, "verdict"));
-        if (outcome != OUTCOME_FAILED && outcome != OUTCOME_UNSCORED)
-            continue;
-        if (!any)
-            html_both_leaf(page, "h3", NULL, (struct words){"What went wrong", "Qué ha fallado"});
-        any = true;
-        page_case(page, context, result, one);
-    }
+    if (write_cases_that(true, NULL, context, result) == 0)
+        return;
+    html_both_leaf(page, "h3", NULL, (struct words){"What went wrong", "Qué ha fallado"});
+    write_cases_that(true, page, context, result);
+    size_t more = write_cases_that(false, NULL, context, result);
+    if (more == 0)
+        return;
+    html_open(page, "details");
+    html_attribute(page, "class", "more");
+    html_open(page, "summary");
+    html_format(page, "%zu ", more);
+    html_both(page, (struct words){"more rejected, for the same causes",
+                                   "más rechazados, por las mismas causas"});
+    html_close(page, "summary");
+    write_cases_that(false, page, context, result);
+    html_close(page, "details");
 }
 
 static void write_untrusted(struct html *page, const json_t *text, struct words title, bool open)
