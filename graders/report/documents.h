@@ -2,7 +2,8 @@
  *
  * Reading never follows a symbolic link at the file itself and never takes more than a limit;
  * writing is atomic (a new file is renamed over the old one) and leaves a file alone that already
- * holds the same bytes, so that making a report again touches only what changed. */
+ * holds the same bytes, so that making a report again touches only what changed. Nothing is synced
+ * to the disk: a report can always be made anew from the results. */
 #ifndef GRADERS_REPORT_DOCUMENTS_H
 #define GRADERS_REPORT_DOCUMENTS_H
 
