@@ -60,16 +60,15 @@ int scene_add_strip(struct scene *scene, const float *positions, int64_t vertex_
         return error_set(err, "a strip of a scene has %lld vertices", (long long)vertex_count);
     if (check_positions(positions, vertex_count, err))
         return -1;
-    size_t bytes = 3 * sizeof *positions * (size_t)vertex_count;
-    float *copy = malloc(bytes ? bytes : 1);
     struct strip *grown =
         realloc(scene->strips, ((size_t)scene->strip_count + 1) * sizeof *scene->strips);
-    if (grown)
-        scene->strips = grown;
-    if (!copy || !grown) {
-        free(copy);
+    if (!grown)
+        return error_set(err, "out of memory for the strips of a scene");
+    scene->strips = grown;
+    size_t bytes = 3 * sizeof *positions * (size_t)vertex_count;
+    float *copy = malloc(bytes ? bytes : 1);
+    if (!copy)
         return error_set(err, "out of memory for a strip of a scene");
-    }
     if (bytes)
         memcpy(copy, positions, bytes);
     scene->strips[scene->strip_count++] =

@@ -130,7 +130,7 @@ static int copy_cut(const struct growth *growth, const struct scene *from, struc
         struct mark mark = from->marks[m];
         if (!scene_mark_fits(from, &mark))
             continue;
-        for (int i = 0; i <= (int)mark.element; i++)
+        for (int i = 0; i < 3 && i <= (int)mark.element; i++)
             mark.vertex[i] = growth->number[mark.vertex[i]];
         to->marks[to->kept_mark_count++] = mark;
     }

@@ -18,7 +18,7 @@ struct log_axis {
     double place(double value) const;
 };
 
-/* An axis for the values, with a little air on both sides.
+/* An axis for the values (in [1e-12, 1e18]), with a little air on both sides.
  *
  * label  names what is measured; one that speaks of bytes gets binary ticks ("64 KB", "1 MB", where
  *        1 KB = 1024 bytes) */

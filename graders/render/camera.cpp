@@ -11,12 +11,18 @@ static double half_height()
     return std::tan(view_angle_degrees / 2 * M_PI / 180);
 }
 
-view::view(double azimuth_degrees, double elevation_degrees)
+static double radians(double degrees)
 {
-    double a = azimuth_degrees * M_PI / 180, e = elevation_degrees * M_PI / 180;
-    toward = {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
-    right = {-std::sin(a), std::cos(a), 0};
-    up = cross(toward, right);
+    return degrees * M_PI / 180;
+}
+
+view::view(double azimuth_degrees, double elevation_degrees)
+    : toward{std::cos(radians(elevation_degrees)) * std::cos(radians(azimuth_degrees)),
+             std::cos(radians(elevation_degrees)) * std::sin(radians(azimuth_degrees)),
+             std::sin(radians(elevation_degrees))},
+      right{-std::sin(radians(azimuth_degrees)), std::cos(radians(azimuth_degrees)), 0},
+      up(cross(toward, right))
+{
 }
 
 std::vector<place> sample_surface(const std::vector<vec3> &points,

@@ -9,7 +9,8 @@ class vtkCamera;
 
 /* The directions of a look, as unit vectors in the world; z is up. */
 struct view {
-    vec3 right, up, toward; /* toward: from the object to the eye */
+    vec3 toward; /* from the object to the eye */
+    vec3 right, up;
 
     view() : view(-55, 22)
     {

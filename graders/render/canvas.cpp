@@ -80,7 +80,7 @@ static void set_lights(vtkRenderer *renderer)
     vtkNew<vtkLightKit> lights;
     lights->SetKeyLightAngle(42, -28);
     lights->SetKeyLightIntensity(.92);
-    lights->SetKeyToFillRatio(2.2);
+    lights->SetKeyToFillRatio(1.7);
     lights->SetKeyToHeadRatio(2.8);
     lights->SetKeyToBackRatio(3.2);
     lights->SetKeyLightWarmth(.56);
@@ -89,7 +89,8 @@ static void set_lights(vtkRenderer *renderer)
 }
 
 /* Layers: 0 backdrop, 1 world, 2 front, 3 insets, 4 paper. */
-canvas::canvas(int width, int height, backdrop kind) : width_(width), height_(height)
+canvas::canvas(int width, int height, backdrop kind, int samples)
+    : width_(width), height_(height), samples_(samples)
 {
     vtkRenderer *layers[] = {behind_, world_, front_, top_};
     const int numbers[] = {0, 1, 2, 4};
@@ -122,11 +123,10 @@ void canvas::on_paper(std::function<void(paper &)> paint)
     painters_.push_back(std::move(paint));
 }
 
-/* Averages blocks of samples x samples pixels and turns the rows round: OpenGL's first is the
+/* Averages blocks of n x n pixels and turns the rows round: OpenGL's first is the
  * lowest. */
-static image averaged(const uint8_t *drawn, int width, int height)
+static image averaged(const uint8_t *drawn, int width, int height, int n)
 {
-    const int n = canvas::samples;
     image picture(width, height);
     size_t row_bytes = 3ull * n * width;
     for (int y = 0; y < height; y++)
@@ -144,7 +144,7 @@ static image averaged(const uint8_t *drawn, int width, int height)
 
 image canvas::draw()
 {
-    int w = samples * width_, h = samples * height_;
+    int w = samples_ * width_, h = samples_ * height_;
     vtkNew<painted_item> item;
     item->width = w;
     item->height = h;
@@ -162,11 +162,14 @@ image canvas::draw()
     for (vtkRenderer *renderer : renderers)
         window->AddRenderer(renderer);
     window->Render();
+    std::string error = take_vtk_error();
+    if (!error.empty())
+        throw std::runtime_error("VTK: " + error);
     vtkNew<vtkUnsignedCharArray> pixels;
     window->GetPixelData(0, 0, w - 1, h - 1, 0, pixels.Get(), 0);
     if (pixels->GetNumberOfValues() != vtkIdType(3) * w * h)
         throw std::runtime_error("OpenGL gave no pixels");
-    image picture = averaged(pixels->GetPointer(0), width_, height_);
+    image picture = averaged(pixels->GetPointer(0), width_, height_, samples_);
     for (vtkRenderer *renderer : renderers)
         window->RemoveRenderer(renderer);
     return picture;

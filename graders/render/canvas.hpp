@@ -16,8 +16,8 @@ enum class backdrop { gradient, plain };
 class canvas
 {
   public:
-    /* Pixels of the finished picture; it is drawn at twice the size and averaged. */
-    canvas(int width, int height, backdrop behind);
+    /* Pixels of the finished picture; it is drawn `samples` times as wide and high and averaged. */
+    canvas(int width, int height, backdrop behind, int samples = 2);
 
     vtkRenderer *world()
     {
@@ -31,7 +31,7 @@ class canvas
     /* Pixels of the drawn (not the finished) picture a unit of paper. */
     double scale() const
     {
-        return samples * height_ / paper_height;
+        return samples_ * height_ / paper_height;
     }
     double paper_width() const
     {
@@ -48,12 +48,10 @@ class canvas
     /* Throws std::runtime_error when OpenGL fails. */
     image draw();
 
-    static constexpr int samples = 2;
-
   private:
     void set_backdrop(backdrop behind);
 
-    int width_, height_;
+    int width_, height_, samples_;
     vtkNew<vtkRenderer> behind_, world_, front_, top_;
     std::vector<vtkSmartPointer<vtkRenderer>> insets_;
     std::vector<std::function<void(paper &)>> painters_;

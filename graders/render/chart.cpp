@@ -76,9 +76,11 @@ void draw_axes_and_grid(paper &sheet, const plot_area &area, const scene &from)
         sheet.text({area.left - 10, y + 4.4}, t.label, tick_font, align::right);
     }
     sheet.rectangle({area.left, area.bottom - .7}, area.right - area.left, 1.4, palette::pale_ink);
-    sheet.text({(area.left + area.right) / 2, area.bottom + 46}, from.x_label, label_font,
+    sheet.text({(area.left + area.right) / 2, area.bottom + 46},
+               sheet.fitting(from.x_label, label_font, area.right - area.left), label_font,
                align::centre);
-    sheet.upward_text({26, (area.top + area.bottom) / 2}, from.y_label, label_font);
+    sheet.upward_text({26, (area.top + area.bottom) / 2},
+                      sheet.fitting(from.y_label, label_font, area.bottom - area.top), label_font);
 }
 
 /* The fitted line y = c x^e, through the points' geometric mean, where the curve has points. */
@@ -140,6 +142,38 @@ double draw_entry(paper &sheet, point2 at, const curve &one, size_t look, bool m
            sheet.text_width(exponent_text(one.exponent), raised);
 }
 
+/* The corner of the plot where a card of this size covers least of the curves. */
+point2 emptiest_corner(const plot_area &area, const std::vector<curve> &curves, double width,
+                       double height)
+{
+    const double off = 14;
+    const int steps = 16; /* samples a segment */
+    double right = area.right - off - width, low = area.bottom - off - height;
+    const point2 corners[] = {{area.left + off, area.top + 8},
+                              {right, low},
+                              {right, area.top + 8},
+                              {area.left + off, low}};
+    point2 best = corners[0];
+    int least_covered = -1;
+    for (point2 corner : corners) {
+        int covered = 0;
+        for (const curve &one : curves)
+            for (size_t i = 1; i < one.x.size(); i++)
+                for (int s = 0; s <= steps; s++) {
+                    point2 a = area.at(one.x[i - 1], one.y[i - 1]);
+                    point2 b = area.at(one.x[i], one.y[i]);
+                    double x = a.x + (b.x - a.x) * s / steps, y = a.y + (b.y - a.y) * s / steps;
+                    covered += x > corner.x - off && x < corner.x + width + off &&
+                               y > corner.y - off && y < corner.y + height + off;
+                }
+        if (least_covered < 0 || covered < least_covered) {
+            least_covered = covered;
+            best = corner;
+        }
+    }
+    return best;
+}
+
 void draw_legend_card(paper &sheet, const plot_area &area, const std::vector<curve> &curves)
 {
     const double row = 25, pad = 14;
@@ -150,7 +184,7 @@ void draw_legend_card(paper &sheet, const plot_area &area, const std::vector<cur
         fitted = fitted || curves[i].exponent != 0;
     }
     double height = row * double(curves.size()) + (fitted ? 20 : 0) + pad;
-    point2 corner = {area.left + 14, area.top + 8};
+    point2 corner = emptiest_corner(area, curves, width + 2 * pad, height);
     sheet.rounded({corner.x - 1, corner.y - 1}, width + 2 * pad + 2, height + 2, 7,
                   palette::hairline);
     sheet.rounded(corner, width + 2 * pad, height, 6, palette::paper.with_alpha(.96));

@@ -108,7 +108,7 @@ image fit_image(const image &picture, int width, int height)
     double scale = std::min(double(width) / picture.width, double(height) / picture.height);
     int w = std::max(1, int(picture.width * scale + .5));
     int h = std::max(1, int(picture.height * scale + .5));
-    OIIO::ImageBuf small = OIIO::ImageBufAlgo::resize(buffer_of(picture), "blackman-harris", 0,
+    OIIO::ImageBuf small = OIIO::ImageBufAlgo::resize(buffer_of(picture), "triangle", 0,
                                                       OIIO::ROI(0, w, 0, h, 0, 1, 0, 3));
     if (small.has_error())
         throw std::runtime_error(small.geterror());

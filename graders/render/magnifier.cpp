@@ -5,7 +5,7 @@
 
 #include <vtkCamera.h>
 
-static const double corner_top = 84, corner_right = 26;
+static const double corner_top = 92, corner_right = 26;
 
 static double mark_reach(const shape &mesh, const mark &one)
 {

@@ -71,9 +71,10 @@ void label_vertices(canvas &target, const shape &mesh, const view &look, const f
 
 std::string subtitle_of(const scene &from)
 {
-    return from.cut ? from.subtitle + (from.subtitle.empty() ? "" : "   ") +
-                          "only the neighbourhood of the marks is shown"
-                    : from.subtitle;
+    const char *note = "only the neighbourhood of the marks is shown";
+    if (!from.cut)
+        return from.subtitle;
+    return from.subtitle.empty() ? note : from.subtitle + "; " + note;
 }
 } // namespace
 
@@ -81,13 +82,15 @@ image draw_mesh(const scene &from, picture_size size)
 {
     if (from.mesh.points.empty())
         throw not_showable("The mesh is empty: it has no vertices and no triangles.");
+    if (unit_box(from.mesh.points).flat_point)
+        throw not_showable("All vertices of the mesh lie in one place.");
     shape mesh(unit_box(from.mesh.points).apply(from.mesh.points), from.mesh.triangles);
     canvas target(size.width, size.height, backdrop::gradient);
     view look =
         best_view(sample_surface(mesh.points, mesh.triangles), marked_places(mesh, from.marks));
     std::vector<legend_entry> legend = legend_of(from, mesh, look);
     std::optional<close_up> inset = choose_close_up(from, mesh, look);
-    margins free = {48, inset ? close_up_side + 56.0 : 48, 84, legend.size() > 5 ? 100.0 : 76.0};
+    margins free = {48, inset ? close_up_side + 56.0 : 48, 92, legend.size() > 5 ? 100.0 : 76.0};
     vtkCamera *camera = target.world()->GetActiveCamera();
     framing frame(camera, mesh.points, look, target.paper_width(), free);
     double radius = mark_radius(mesh, frame.units_at_middle());

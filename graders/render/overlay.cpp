@@ -49,9 +49,17 @@ std::vector<row> legend_layout(paper &sheet, const std::vector<legend_entry> &en
 
 void draw_title(paper &sheet, const std::string &title, const std::string &subtitle)
 {
+    const double smallest_title = 15;
     double room = sheet.width() - 2 * margin;
-    sheet.text({margin, 33}, sheet.fitting(title, title_font, room), title_font);
-    sheet.text({margin, 55}, sheet.fitting(subtitle, subtitle_font, room), subtitle_font);
+    font style = title_font;
+    while (style.size > smallest_title && sheet.text_width(title, style) > room)
+        style.size -= 1;
+    sheet.text({margin, 33}, sheet.fitting(title, style, room), style);
+    double y = 55;
+    for (const std::string &line : sheet.wrapped(subtitle, subtitle_font, room, 2)) {
+        sheet.text({margin, y}, line, subtitle_font);
+        y += 18;
+    }
 }
 
 void draw_label(paper &sheet, point2 at, point2 away, const std::string &words, bool muted)

@@ -17,6 +17,7 @@ struct legend_entry {
     bool muted = false;
 };
 
+/* The title in one line, smaller when it is long; the subtitle in at most two. */
 void draw_title(paper &sheet, const std::string &title, const std::string &subtitle);
 
 /* Entries from the right in as many rows as needed, growing upwards from the bottom edge. */

@@ -201,3 +201,26 @@ std::string paper::fitting(const std::string &words, const font &style, double w
     }
     return clean_text(whole, fits) + "\u2026";
 }
+
+std::vector<std::string> paper::wrapped(const std::string &words, const font &style, double width,
+                                        size_t line_limit)
+{
+    std::string left = clean_text(words, 400);
+    std::vector<std::string> lines;
+    while (!left.empty() && lines.size() + 1 < line_limit && text_width(left, style) > width) {
+        size_t end = std::string::npos;
+        for (size_t space = left.find(' '); space != std::string::npos;
+             space = left.find(' ', space + 1)) {
+            if (text_width(left.substr(0, space), style) > width)
+                break;
+            end = space;
+        }
+        if (end == std::string::npos)
+            break; /* one word wider than the line */
+        lines.push_back(left.substr(0, end));
+        left = left.substr(end + 1);
+    }
+    if (!left.empty())
+        lines.push_back(fitting(left, style, width));
+    return lines;
+}

@@ -55,6 +55,9 @@ class paper
     /* The same, turned to read upwards around `at`, centred. */
     void upward_text(point2 at, const std::string &words, const font &style);
     double text_width(const std::string &words, const font &style);
+    /* The text in lines that fit, at most `line_limit`; the last one takes what is left. */
+    std::vector<std::string> wrapped(const std::string &words, const font &style, double width,
+                                     size_t line_limit);
     /* The longest beginning of the text that fits, with an ellipsis if it is not the whole. */
     std::string fitting(const std::string &words, const font &style, double width);
 

@@ -17,6 +17,7 @@ const int64_t vertex_limit = 2000000, triangle_limit = 1000000, strip_limit = 10
 const int64_t mark_limit = 1000, curve_limit = 12, point_limit = 10000, voxel_side_limit = 256;
 const uintmax_t file_bytes_limit = 256u << 20;
 const size_t text_bytes_limit = 300;
+const double exponent_limit = 100;
 
 struct json_releaser {
     void operator()(json_t *json) const
@@ -177,6 +178,13 @@ std::vector<double> numbers_at(const json_t *json, const char *key)
     return numbers;
 }
 
+/* Whether a number has a place on the axes of a chart. */
+bool is_chartable(double number)
+{
+    const double least = 1e-12, most = 1e18;
+    return number >= least && number <= most;
+}
+
 /* Points without a place on logarithmic axes are left out. */
 void read_curves(const json_t *json, scene &out)
 {
@@ -186,12 +194,14 @@ void read_curves(const json_t *json, scene &out)
         curve to;
         to.name = text_at(from, "name");
         to.exponent = json_number_value(json_object_get(from, "exponent"));
+        if (!(std::fabs(to.exponent) < exponent_limit))
+            to.exponent = 0;
         std::vector<double> x = numbers_at(from, "x"), y = numbers_at(from, "y");
         if (x.size() != y.size())
             throw not_showable("curve \"" + to.name + "\" has " + std::to_string(x.size()) +
                                " x and " + std::to_string(y.size()) + " y");
         for (size_t p = 0; p < x.size(); p++)
-            if (x[p] > 0 && y[p] > 0 && std::isfinite(x[p]) && std::isfinite(y[p])) {
+            if (is_chartable(x[p]) && is_chartable(y[p])) {
                 to.x.push_back(x[p]);
                 to.y.push_back(y[p]);
             }

@@ -34,7 +34,7 @@ struct scene_mesh {
 
 struct curve {
     std::string name;
-    std::vector<double> x, y; /* as many, all positive and finite */
+    std::vector<double> x, y; /* as many, all in [1e-12, 1e18] */
     double exponent = 0;      /* 0: none was fitted */
 };
 

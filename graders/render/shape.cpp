@@ -16,7 +16,8 @@ unit_box::unit_box(const std::vector<vec3> &points)
     }
     centre = (low + high) * .5;
     double diagonal = length(high - low);
-    scale = diagonal > 0 ? 1 / diagonal : 1;
+    flat_point = !(diagonal > 0);
+    scale = flat_point ? 1 : 1 / diagonal;
 }
 
 std::vector<vec3> unit_box::apply(const std::vector<vec3> &points) const

@@ -10,6 +10,7 @@
 struct unit_box {
     vec3 centre;
     double scale = 1;
+    bool flat_point = false; /* all points are one */
 
     unit_box() = default;
     explicit unit_box(const std::vector<vec3> &points);

@@ -8,7 +8,7 @@
 namespace
 {
 const int margin = 20, gap = 14, head = 84, caption_height = 50;
-const int side_limit = 8000; /* pixels: OpenGL draws at twice the size */
+const int side_limit = 8000; /* pixels */
 const int columns_limit = 12;
 
 /* Pixels from the upper left corner. */
@@ -57,7 +57,7 @@ void draw_caption(paper &page, point2 at, const std::string &caption, double wid
 /* Everything but the pictures. */
 image draw_page(const sheet &from, const grid &g, size_t shown)
 {
-    canvas target(g.width, g.height, backdrop::plain);
+    canvas target(g.width, g.height, backdrop::plain, 1); /* only text and rectangles */
     double pixel = paper_height / g.height;
     target.on_paper([&](paper &page) {
         page.rectangle({0, 0}, page.width(), page.height(), palette::sheet);

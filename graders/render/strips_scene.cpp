@@ -126,7 +126,7 @@ image draw_strips(const scene &from, picture_size size)
     view look = best_view(sample_surface(set.points, all), {});
     std::vector<legend_entry> legend = legend_of(from, set, any_turned_away(set.points, all, look));
     framing frame(target.world()->GetActiveCamera(), set.points, look, target.paper_width(),
-                  {48, 48, 84, legend.size() > 5 ? 100.0 : 76.0});
+                  {48, 48, 92, legend.size() > 5 ? 100.0 : 76.0});
     double spacing = set.rungs.empty() ? .1 : 0;
     for (const edge &rung : set.rungs)
         spacing += length(set.points[rung[1]] - set.points[rung[0]]) / double(set.rungs.size());

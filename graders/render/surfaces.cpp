@@ -53,8 +53,8 @@ static void paint_surface(vtkProperty *property, colour paint)
 {
     property->SetColor(paint.red / 255.0, paint.green / 255.0, paint.blue / 255.0);
     property->SetInterpolationToPhong();
-    property->SetAmbient(.24);
-    property->SetDiffuse(.66);
+    property->SetAmbient(.28);
+    property->SetDiffuse(.63);
     property->SetSpecular(.10);
     property->SetSpecularPower(22);
 }

@@ -3,27 +3,6 @@
 #include "graders/render/overlay.hpp"
 #include "graders/render/pictures.hpp"
 
-/* Splits a text into lines that fit; a word that does not is cut with an ellipsis. */
-static std::vector<std::string> wrapped(paper &sheet, const std::string &words, const font &style,
-                                        double width)
-{
-    std::vector<std::string> lines;
-    std::string line;
-    for (size_t at = 0; at < words.size();) {
-        size_t end = std::min(words.find(' ', at), words.size());
-        std::string word = words.substr(at, end - at);
-        std::string longer = line.empty() ? word : line + " " + word;
-        if (!line.empty() && sheet.text_width(longer, style) > width) {
-            lines.push_back(sheet.fitting(line, style, width));
-            longer = word;
-        }
-        line = longer;
-        at = end + 1;
-    }
-    lines.push_back(sheet.fitting(line, style, width));
-    return lines;
-}
-
 image draw_tile(const scene &from, const std::string &sentence, picture_size size)
 {
     canvas target(size.width, size.height, backdrop::gradient);
@@ -32,7 +11,7 @@ image draw_tile(const scene &from, const std::string &sentence, picture_size siz
         const font style = {18, weight::regular, palette::grey_ink};
         const double line_height = 28, icon = 30;
         double middle = sheet.width() / 2;
-        std::vector<std::string> lines = wrapped(sheet, sentence, style, sheet.width() * .7);
+        std::vector<std::string> lines = sheet.wrapped(sentence, style, sheet.width() * .7, 6);
         double y = sheet.height() / 2 - line_height * double(lines.size()) / 2 + 30;
         point2 centre = {middle, y - 70};
         const point2 corners[] = {{centre.x - icon, centre.y + icon * .8},

@@ -185,7 +185,7 @@ image draw_voxels(const scene &from, picture_size size)
 
     std::vector<legend_entry> legend = mark_legend(from);
     framing frame(target.world()->GetActiveCamera(), all, look, target.paper_width(),
-                  {56, 56, 84, legend.empty() ? 130.0 : 160.0});
+                  {56, 56, 92, legend.empty() ? 130.0 : 160.0});
     target.world()->AddActor(shadow_actor(all, triangles));
     add_voxels(target, faces, frame.units_at_middle(), std::max(1, from.voxels_per_side));
     add_mesh_beside(target, from, mesh, frame.units_at_middle());

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vtkAutoInit.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -200,7 +201,7 @@ void silence_vtk()
     vtkOutputWindow::SetInstance(quiet);
 }
 
-const char *last_vtk_error()
+std::string take_vtk_error()
 {
-    return last_error.c_str();
+    return std::exchange(last_error, "");
 }

@@ -3,6 +3,7 @@
 #ifndef GRADERS_RENDER_WINDOW_HPP
 #define GRADERS_RENDER_WINDOW_HPP
 
+#include <string>
 #include <vtkGenericOpenGLRenderWindow.h>
 
 /* Debian's VTK has no EGL window of its own, and its X11 window aborts where no display is: make
@@ -40,8 +41,9 @@ bool has_opengl();
  * compiled for another vector width, which crash Mesa. */
 void choose_shader_cache();
 
-/* Drops what VTK prints; the first line of its last error can be asked for. */
+/* Keeps VTK from printing. Its last error since then, or since it was last taken, can be asked for.
+ */
 void silence_vtk();
-const char *last_vtk_error();
+std::string take_vtk_error(); /* empty: none */
 
 #endif
