@@ -1,5 +1,7 @@
-/* Control groups, version 2 or 1: one group a box below the engine's own, for memory, processes and
- * CPU time. Never above the engine's own, so that its own limits stay in force. */
+/* Control groups, version 2 or 1: one group a box, for memory, processes and CPU time. It stands
+ * below the engine's own group, so that the engine's limits hold for boxes too. Version 2 hands
+ * controllers down only from groups without processes of their own; there it stands beside the
+ * engine's group. */
 #include "graders/box/inside.h"
 
 #include <dirent.h>
@@ -101,17 +103,20 @@ static void sweep_once(void)
     if (atomic_exchange(&swept_by, getpid()) == getpid())
         return;
     for (size_t i = 0; i < sizeof controllers / sizeof controllers[0]; i++)
-        if (find_parent(controllers[i], parent, sizeof parent) == 0)
+        if (find_parent(controllers[i], parent, sizeof parent) == 0) {
             sweep(parent);
+            char *last = strrchr(parent, '/');
+            if (!*controllers[i] && last >= parent + sizeof mount_point - 1) {
+                *last = '\0';
+                sweep(parent); /* see make_version_2_group */
+            }
+        }
 }
 
-/* Makes a group. Leaves `out` empty when it cannot, with errno. */
-static int make_group(const char *controller, char *out)
+/* Makes a group in `parent`. Leaves `out` empty when it cannot, with errno. */
+static int make_group(const char *parent, char *out)
 {
     static atomic_uint sequence;
-    char parent[PATH_BYTES];
-    if (find_parent(controller, parent, sizeof parent))
-        return -1;
     unsigned number = atomic_fetch_add(&sequence, 1);
     int length = snprintf(out, PATH_BYTES, "%s/%s%d.%u", parent, group_prefix, getpid(), number);
     if (length >= PATH_BYTES || mkdir(out, 0755)) {
@@ -141,13 +146,41 @@ static void set_active(struct box *box, enum box_layer layer)
     box->active |= 1u << layer;
 }
 
+static bool has_file(const char *group, const char *name)
+{
+    char path[PATH_BYTES + 32];
+    snprintf(path, sizeof path, "%s/%s", group, name);
+    return access(path, F_OK) == 0;
+}
+
+/* Below the engine's group, or beside it when only there memory can be limited. */
+static int make_version_2_group(char *out)
+{
+    char below[PATH_BYTES], beside[PATH_BYTES];
+    if (find_parent("", below, sizeof below) || make_group(below, out))
+        return -1;
+    memcpy(beside, below, sizeof beside);
+    char *last = strrchr(beside, '/');
+    if (has_file(out, "memory.max") || !last || last < beside + sizeof mount_point - 1)
+        return 0;
+    *last = '\0';
+    char other[PATH_BYTES];
+    if (make_group(beside, other))
+        return 0;
+    bool better = has_file(other, "memory.max");
+    rmdir(better ? out : other);
+    if (better)
+        memcpy(out, other, sizeof other);
+    return 0;
+}
+
 /* One folder serves all controllers, as far as the parent hands them down. */
 static void make_version_2(const struct box_plan *plan, struct box *box)
 {
     static const enum box_layer layers[] = {BOX_CGROUP_MEMORY, BOX_CGROUP_PIDS, BOX_CGROUP_CPU};
     char group[PATH_BYTES];
     box->cgroup_version = 2;
-    if (make_group("", group)) {
+    if (make_version_2_group(group)) {
         for (size_t i = 0; i < sizeof layers / sizeof layers[0]; i++)
             if (layer_wanted(plan, layers[i]))
                 fails(box, layers[i], "own group", errno);
@@ -182,7 +215,8 @@ static void make_one(const struct box_plan *plan, struct box *box, enum box_laye
 {
     if (!layer_wanted(plan, layer))
         return;
-    if (make_group(controller, group)) {
+    char parent[PATH_BYTES];
+    if (find_parent(controller, parent, sizeof parent) || make_group(parent, group)) {
         fails(box, layer, controller, errno);
         return;
     }

@@ -128,6 +128,17 @@ int box_bench_groups_of(pid_t engine)
     return leftover_groups;
 }
 
+int box_bench_descriptors(void)
+{
+    DIR *open_ones = opendir("/proc/self/fd");
+    int count = 0;
+    while (open_ones && readdir(open_ones))
+        count++;
+    if (open_ones)
+        closedir(open_ones);
+    return count;
+}
+
 int box_bench_leftovers(void)
 {
     return box_bench_groups_of(getpid()) + count_processes();

@@ -39,9 +39,13 @@ int box_bench_expect(const char *program, const struct box_bench_end *expected, 
 int box_bench_expect_all(const char *program, const struct box_bench_end *list, uint32_t disabled,
                          bool slow_ones);
 
-/* The number of processes with our argv[0], and of cgroups with our process id. */
+/* The number of processes with our argv[0], and of cgroups with our process id; and of cgroups of
+ * another process. */
 int box_bench_leftovers(void);
 int box_bench_groups_of(pid_t engine);
+
+/* The number of open descriptors of this process. */
+int box_bench_descriptors(void);
 
 /* Runs `body` in a forked child that first becomes what `prepare` makes of it (NULL: nothing).
  * Returns what body returns, 0 to 99; 100 when prepare failed (then the machine cannot play that
@@ -52,6 +56,7 @@ int box_bench_as(int (*prepare)(void), int (*body)(void));
 int box_bench_become_nobody(void);           /* a plain user */
 int box_bench_lose_namespaces(void);         /* a plain user without user namespaces */
 int box_bench_lose_namespaces_as_root(void); /* in a container of one user */
+int box_bench_see_version_2(void);           /* of cgroups; where both versions are mounted */
 int box_bench_enter_container(void); /* mounts, namespaces and Landlock refused, as Docker does */
 int box_bench_lose_listener(void);   /* no seccomp user notification */
 int box_bench_lose_seccomp(void);    /* no seccomp at all */

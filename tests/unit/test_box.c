@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <pthread.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -228,6 +229,29 @@ static void test_walls_behind_seccomp(void **state)
     assert_int_equal(box_bench_expect_all("attacks", no_files, off | OFF(PRIVATE_ROOT), false), 0);
 }
 
+/* Only CPU time is had from version 2 on a machine whose other controllers are of version 1. */
+static int runs_with_version_2(void)
+{
+    struct box_plan plan = box_bench_plan("attacks", "sleep");
+    struct box_outcome outcome;
+    struct error err = {""};
+    plan.wall_ms = 50;
+    if (box_run(&plan, &outcome, &err) || outcome.end != BOX_ENDED_KILLED || !outcome.cleaned)
+        return 1;
+    if (!(outcome.active >> BOX_CGROUP_CPU & 1) || outcome.cpu_ns <= 0)
+        return 2;
+    plan.disabled_layers = all_namespaces; /* then the group's own kill is used */
+    if (box_run(&plan, &outcome, &err) || outcome.end != BOX_ENDED_KILLED || !outcome.cleaned)
+        return 3;
+    return box_bench_leftovers();
+}
+
+static void test_cgroups_of_version_2(void **state)
+{
+    (void)state;
+    play(box_bench_see_version_2, runs_with_version_2);
+}
+
 static int refuses_to_start(void)
 {
     struct box_plan plan = box_bench_plan("attacks", "exit-zero");
@@ -382,6 +406,62 @@ static void test_several_boxes(void **state)
     assert_int_equal(box_bench_leftovers(), 0);
 }
 
+/* As an engine with several jobs does: the box's processes must not wait for locks of other
+ * threads. */
+static void *start_many(void *wrong)
+{
+    for (int i = 0; i < 25; i++) {
+        char name[] = "box-test-thread", attack[] = "exit-zero";
+        char *argv[] = {name, attack, NULL};
+        struct box_plan plan = *(struct box_plan *)wrong;
+        struct box_outcome outcome;
+        struct error err = {""};
+        plan.argv = argv;
+        char *used = malloc(1000); /* keeps the allocator's lock busy */
+        if (box_run(&plan, &outcome, &err) || outcome.end != BOX_ENDED_EXIT || !outcome.cleaned)
+            return wrong;
+        free(used);
+    }
+    return NULL;
+}
+
+static void test_threads_start_boxes(void **state)
+{
+    (void)state;
+    struct box_plan plan = box_bench_plan("attacks", "exit-zero");
+    pthread_t threads[4];
+    for (int i = 0; i < 4; i++)
+        assert_int_equal(pthread_create(&threads[i], NULL, start_many, &plan), 0);
+    for (int i = 0; i < 4; i++) {
+        void *wrong = NULL;
+        assert_int_equal(pthread_join(threads[i], &wrong), 0);
+        assert_null(wrong);
+    }
+    assert_int_equal(box_bench_leftovers(), 0);
+}
+
+static void test_no_descriptor_is_lost(void **state)
+{
+    static const char *const names[] = {"exit-zero", "socket", "malloc-bomb", "crash"};
+    (void)state;
+    struct box_plan plan = box_bench_plan("attacks", "exit-zero");
+    struct box_outcome outcome;
+    struct error err = {""};
+    int before = box_bench_descriptors();
+    for (int i = 0; i < 4; i++) {
+        plan = box_bench_plan("attacks", names[i]);
+        assert_int_equal(box_run(&plan, &outcome, &err), 0);
+    }
+    plan.program_fd = open("Makefile", O_RDONLY | O_CLOEXEC);
+    assert_int_equal(box_run(&plan, &outcome, &err), -1);
+    close(plan.program_fd);
+    plan.profile = BOX_TOOLS;
+    plan.program_fd = -1;
+    plan.writable = "/tmp/box-test-missing";
+    assert_int_equal(box_run(&plan, &outcome, &err), -1);
+    assert_int_equal(box_bench_descriptors(), before);
+}
+
 /* An engine that is killed takes its boxes with it; the next one removes its groups. */
 static void engine_that_waits(int out, uint32_t disabled)
 {
@@ -479,12 +559,15 @@ int main(void)
         cmocka_unit_test(test_each_layer_switched_off),
         cmocka_unit_test(test_seccomp_and_rlimits_alone),
         cmocka_unit_test(test_walls_behind_seccomp),
+        cmocka_unit_test(test_cgroups_of_version_2),
         cmocka_unit_test(test_without_seccomp_nothing_runs),
         cmocka_unit_test(test_exit_in_a_constructor),
         cmocka_unit_test(test_plans_that_cannot_be),
         cmocka_unit_test(test_passed_descriptors),
         cmocka_unit_test(test_measures_from_outside),
         cmocka_unit_test(test_several_boxes),
+        cmocka_unit_test(test_threads_start_boxes),
+        cmocka_unit_test(test_no_descriptor_is_lost),
         cmocka_unit_test(test_killed_engine),
         cmocka_unit_test(test_probes_agree_with_boxes),
     };

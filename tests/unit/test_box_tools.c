@@ -55,10 +55,11 @@ static int put_source(const char *name, const char *text)
 {
     char path[128];
     snprintf(path, sizeof path, "%s/%s", work, name);
-    FILE *file = fopen(path, "w");
-    if (!file || fputs(text, file) < 0 || fclose(file))
-        return -1;
-    return chmod(path, 0644);
+    int fd = open(path, O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+    bool written = fd >= 0 && write(fd, text, strlen(text)) == (ssize_t)strlen(text);
+    if (fd >= 0)
+        close(fd);
+    return written ? chmod(path, 0644) : -1;
 }
 
 static int put_program(const char *program)
