@@ -59,12 +59,13 @@ static bool take_report(struct box *box)
     return true;
 }
 
+/* Tools reserve address space without end, so that only what is resident can be bounded. */
 static bool needs_watch(const struct box *box)
 {
-    return box->profile == BOX_TOOLS && !is_active(box, BOX_CGROUP_MEMORY);
+    return !is_active(box, BOX_CGROUP_MEMORY) &&
+           (box->profile == BOX_TOOLS || !is_active(box, BOX_RLIMITS));
 }
 
-/* Tools reserve address space without end, so that only what is resident can be bounded. */
 static void watch_memory(struct box *box)
 {
     int64_t now = measure_now_ns();

@@ -115,8 +115,8 @@ struct box {
 /* How a run ended. The first that holds, in this order. */
 enum box_end {
     BOX_ENDED_FORBIDDEN, /* a system call was refused: refused_call names it ("" when unnamed) */
-    BOX_ENDED_MEMORY,    /* the cgroup's memory limit struck, or TOOLS was seen beyond memory_bytes.
-                            Without memory cgroup a RUN or BUILD gets NULL from malloc instead */
+    BOX_ENDED_MEMORY,    /* the cgroup's memory limit struck. Without it: TOOLS was seen beyond
+                            memory_bytes; a RUN or BUILD gets NULL from malloc instead */
     BOX_ENDED_OUTPUT,    /* SIGXFSZ: file_bytes reached */
     BOX_ENDED_CPU,       /* cpu_seconds reached (SIGXCPU, or SIGKILL with that much CPU charged; a
                             BUILD also when it failed after that much CPU) */

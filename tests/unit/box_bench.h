@@ -27,7 +27,7 @@ struct box_bench_end {
     const char *call; /* first refused call; NULL: none, or not told */
     const char *detail;
     bool is_process;
-    bool needs_group; /* has this end by the memory cgroup only; else it exits with 7 */
+    bool needs_group; /* where address space bounds it instead of a cgroup, it exits with 7 */
     bool slow;        /* burns CPU for seconds */
 };
 
