@@ -6,7 +6,7 @@ enum { TETRAHEDRON_VERTICES = 4, TETRAHEDRON_EDGES = 6, TETRAHEDRON_FACES = 4 };
 /* All three numbers from the number of vertices, or IMPOSSIBLE. */
 static int from_vertices(int64_t vertices, struct euler_counts *counts)
 {
-    if (vertices < TETRAHEDRON_VERTICES || vertices - 2 > INT64_MAX / 3)
+    if (vertices < TETRAHEDRON_VERTICES || vertices > INT64_MAX / 3)
         return IMPOSSIBLE;
     counts->vertices = vertices;
     counts->edges = 3 * vertices;
