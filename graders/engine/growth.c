@@ -70,6 +70,21 @@ static int count_sizes(struct trial *trial, int family, int first, int last, boo
     return result;
 }
 
+/* The reference at the two sizes more, so that every size of a report has its companion. */
+static int count_reference(struct yardstick *yardstick, int family, int last, struct error *err)
+{
+    struct count_run run;
+    if (yardstick->costs[family][last].counted)
+        return 0;
+    int result = count_work(yardstick, &yardstick->reference, family, yardstick->size_count, last,
+                            NULL, yardstick->costs[family], &run, err);
+    if (result == 0 && run.failure.verdict != VERDICT_PASSED)
+        result = error_set(err, "exercise %s: the reference fails at larger sizes: %s",
+                           yardstick->exercise->name, run.failure.message);
+    attempt_release(&run.failure);
+    return result;
+}
+
 /* ------------------------------------------------------------------ growth */
 
 static int fit(struct trial *trial, int family, enum growth_class allowed, bool last,
@@ -97,7 +112,8 @@ static int judge_growth(struct trial *trial, int family, bool *right, struct err
         return -1;
     if (found->fit.decision == GROWTH_UNDECIDED && !found->hopeless) {
         int last = trial->yardstick->size_count + EXTRA_DOUBLINGS - 1;
-        if (count_sizes(trial, family, trial->yardstick->size_count, last, right, err) != 0)
+        if (count_reference(trial->yardstick, family, last, err) != 0 ||
+            count_sizes(trial, family, trial->yardstick->size_count, last, right, err) != 0)
             return -1;
         if (!*right)
             return 0;

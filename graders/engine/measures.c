@@ -46,19 +46,36 @@ static json_t *growth_json(const struct trial *trial)
                      "families", families);
 }
 
+static json_t *family_memory_json(const struct trial *trial, int family)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    json_t *sizes = json_array(), *mine = json_array(), *theirs = json_array();
+    for (int i = 0; i < yardstick->size_count; i++) {
+        const struct cost *cost = &trial->families[family].costs[i];
+        json_array_append_new(sizes, json_integer(yardstick->sizes[i]));
+        json_array_append_new(mine, json_integer(cost->heap_peak_bytes));
+        json_array_append_new(theirs, json_integer(yardstick->costs[family][i].heap_peak_bytes));
+    }
+    return json_pack("{s:s, s:o, s:o, s:o}", "name", yardstick->judge->families[family], "sizes",
+                     sizes, "peak_bytes", mine, "reference_peak_bytes", theirs);
+}
+
 static json_t *memory_json(const struct trial *trial)
 {
+    json_t *families = json_array();
+    for (int i = 0; i < trial->yardstick->family_count; i++)
+        json_array_append_new(families, family_memory_json(trial, i));
     const struct yardstick *yardstick = trial->yardstick;
     int largest = yardstick->size_count - 1, family = trial->memory_family;
     const struct cost *mine = &trial->families[family].costs[largest];
     const struct cost *theirs = &yardstick->costs[family][largest];
     return json_pack(
-        "{s:I, s:I, s:I, s:o, s:o, s:I, s:I, s:I}", "size", (json_int_t)yardstick->sizes[largest],
-        "peak_bytes", (json_int_t)mine->heap_peak_bytes, "reference_peak_bytes",
-        (json_int_t)theirs->heap_peak_bytes, "ratio", rounded(trial->memory_ratio), "band",
-        rounded(yardstick->exercise->memory_band), "allocations",
-        (json_int_t)mine->allocation_count, "stack_bytes", (json_int_t)mine->stack_bytes,
-        "static_bytes", (json_int_t)trial->build.static_bytes);
+        "{s:o, s:I, s:I, s:I, s:o, s:o, s:I, s:I, s:I}", "families", families, "size",
+        (json_int_t)yardstick->sizes[largest], "peak_bytes", (json_int_t)mine->heap_peak_bytes,
+        "reference_peak_bytes", (json_int_t)theirs->heap_peak_bytes, "ratio",
+        rounded(trial->memory_ratio), "band", rounded(yardstick->exercise->memory_band),
+        "allocations", (json_int_t)mine->allocation_count, "stack_bytes",
+        (json_int_t)mine->stack_bytes, "static_bytes", (json_int_t)trial->build.static_bytes);
 }
 
 json_t *measures_json(const struct trial *trial)
