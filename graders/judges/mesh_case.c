@@ -1,12 +1,14 @@
 /* Meshes as inputs of cases; see mesh_case.h. */
 #include "graders/judges/mesh_case.h"
 
+#include "reference/formats/mesh_file.h"
 #include "reference/mesh/generate.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-enum { UNUSED_VERTICES = 66000 };
+enum { UNUSED_VERTICES = 66000, PATH_BYTES = 1024 };
 
 /* ------------------------------------------------------------------ shapes that are only cases */
 
@@ -47,11 +49,19 @@ static int make_points(struct mesh *mesh, int64_t count, bool with_triangles, st
     return 0;
 }
 
+static int read_model(const char *models, const char *name, struct mesh *mesh, struct error *err)
+{
+    char path[PATH_BYTES];
+    int length = snprintf(path, sizeof path, "%s/%s", models, name);
+    if (length < 0 || length >= (int)sizeof path)
+        return error_set(err, "the path of the models is too long: %s", models);
+    return read_mesh(path, mesh, err);
+}
+
 static int make_shape(const struct judge_case *c, const char *models, struct mesh *mesh,
                       struct error *err)
 {
     int64_t a = c->parameter[1], b = c->parameter[2];
-    (void)models;
     switch ((enum mesh_shape)c->parameter[0]) {
     case SHAPE_EMPTY:
         return generate_empty(mesh, err);
@@ -89,8 +99,12 @@ static int make_shape(const struct judge_case *c, const char *models, struct mes
         return make_points(mesh, a, false, err);
     case SHAPE_POINT_TRIANGLES:
         return make_points(mesh, a, true, err);
-    case SHAPE_MODEL:
-        break;
+    case SHAPE_BUNNY:
+        return read_model(models, "bunny.ply", mesh, err);
+    case SHAPE_HORSE:
+        return read_model(models, "horse.ply", mesh, err);
+    case SHAPE_MUG:
+        return read_model(models, "mug.ply", mesh, err);
     }
     return error_set(err, "case %s: no such shape: %lld", c->name, (long long)c->parameter[0]);
 }

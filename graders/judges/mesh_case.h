@@ -28,7 +28,9 @@ enum mesh_shape {
     SHAPE_NEEDLES,         /* a triangles, as high as the base / 10^b */
     SHAPE_ISOLATED,        /* a vertices and no triangle */
     SHAPE_POINT_TRIANGLES, /* a triangles (v,v,v) on as many vertices */
-    SHAPE_MODEL            /* the a-th of the models that come with the project */
+    SHAPE_BUNNY,           /* models that come with the project: open, two boundary loops */
+    SHAPE_HORSE,           /* closed, no handle */
+    SHAPE_MUG              /* closed, one handle */
 };
 
 /* A case's parameter[3]: what is done to the shape, in this order. Numbers of elements are a
@@ -55,7 +57,7 @@ enum mesh_change {
 /* Makes the mesh of a case.
  *
  * mesh      on success the caller owns it
- * models    folder with the models, used by SHAPE_MODEL only
+ * models    folder with the models; NULL when the shape is none of them
  * returns   0, or -1 and *err */
 int mesh_case_make(const struct judge_case *c, const char *models, struct mesh *mesh,
                    struct error *err) MUST_CHECK;

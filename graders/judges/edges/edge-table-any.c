@@ -2,9 +2,9 @@
  *
  * Each class is pure, so that a mistake shows in the class that is named after it: meshes are
  * closed but in `open` (and the Moebius strip), coherent but in `incoherent-orientation`, in one
- * component but in `several-components`, and so on. Only the tori of `closed` have more than
- * 3 (V - 2) edges, only `high-valence` has vertices with more than 32 neighbours, and only
- * `high-numbers` has numbers that overflow 16 bits, or 32 bits when multiplied. */
+ * component but in `several-components`, and so on. Only bodies with handles, in `closed`, have
+ * more than 3 (V - 2) edges, only `high-valence` has vertices with more than 32 neighbours, and
+ * only `high-numbers` has numbers that overflow 16 bits, or 32 bits when multiplied. */
 #include "graders/judges/edge_table.h"
 #include "graders/judges/mesh_case.h"
 
@@ -30,6 +30,8 @@ static const struct judge_case cases[] = {
     {"torus", CLOSED, 5, {SHAPE_TORUS, 1, 1200, SCRAMBLED}, HIDDEN, FULL},
     {"torus-genus-2", CLOSED, 6, {SHAPE_TORUS, 2, 2400, ADVERSARIAL}, HIDDEN, QUICK},
     {"two-cones-at-apex", CLOSED, 7, {SHAPE_TWO_CONES, 12, 0, SCRAMBLED}, HIDDEN, FULL},
+    {"horse", CLOSED, 8, {SHAPE_HORSE, 0, 0, SCRAMBLED}, HIDDEN, FULL},
+    {"mug", CLOSED, 9, {SHAPE_MUG}, HIDDEN, FULL},
 
     {"one-triangle", OPEN, 11, {SHAPE_ONE_TRIANGLE}, PUBLIC, QUICK},
     {"grid", OPEN, 12, {SHAPE_GRID, 4, 8}, PUBLIC, QUICK},
@@ -37,6 +39,7 @@ static const struct judge_case cases[] = {
     {"disc-scrambled", OPEN, 14, {SHAPE_DISC, 8, 12, SCRAMBLED}, HIDDEN, FULL},
     {"fan", OPEN, 15, {SHAPE_FAN, 9, 0, SCRAMBLED}, HIDDEN, FULL},
     {"sphere-with-holes", OPEN, 16, {SHAPE_ICO, 3, 0, WITH_HOLES | SCRAMBLED}, HIDDEN, FULL},
+    {"bunny", OPEN, 17, {SHAPE_BUNNY, 0, 0, SCRAMBLED}, HIDDEN, QUICK},
 
     {"cube-flipped", FLIPS, 21, {SHAPE_CUBE, 0, 0, FLIPPED}, PUBLIC, QUICK},
     {"sphere-inside-out", FLIPS, 22, {SHAPE_ICO, 2, 0, REVERSED | SCRAMBLED}, HIDDEN, FULL},

@@ -25,11 +25,13 @@ static const struct judge_case cases[] = {
     {"sphere-inside-out", CLOSED, 6, {SHAPE_ICO, 2, 0, REVERSED | SCRAMBLED}, HIDDEN, FULL},
     {"bipyramid-60", CLOSED, 7, {SHAPE_BIPYRAMID, 60, 0, SCRAMBLED}, HIDDEN, QUICK},
     {"two-cones-at-apex", CLOSED, 8, {SHAPE_TWO_CONES, 12, 0, SCRAMBLED}, HIDDEN, FULL},
+    {"horse", CLOSED, 9, {SHAPE_HORSE, 0, 0, SCRAMBLED}, HIDDEN, FULL},
 
     {"torus", GENUS, 11, {SHAPE_TORUS, 1, 600}, PUBLIC, QUICK},
     {"torus-adversarial", GENUS, 12, {SHAPE_TORUS, 1, 1200, ADVERSARIAL}, HIDDEN, FULL},
     {"torus-genus-2", GENUS, 13, {SHAPE_TORUS, 2, 2400, SCRAMBLED}, HIDDEN, QUICK},
     {"torus-genus-3", GENUS, 14, {SHAPE_TORUS, 3, 2400, SCRAMBLED}, HIDDEN, FULL},
+    {"mug", GENUS, 15, {SHAPE_MUG}, HIDDEN, FULL},
 
     {"four-bodies", BODIES, 21, {SHAPE_TETRAHEDRON, 0, 0, WITH_COMPONENTS}, PUBLIC, QUICK},
     {"four-mixed", BODIES, 22, {SHAPE_ICO, 2, 0, WITH_COMPONENTS | SCRAMBLED}, HIDDEN, QUICK},

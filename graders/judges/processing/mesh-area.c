@@ -60,12 +60,15 @@ static const struct judge_case cases[] = {
     {"icosphere-tiny", SCALE, 71, {SHAPE_ICO, 2, 0, TINY | TILTED}, PUBLIC, QUICK},
     {"icosphere-huge", SCALE, 72, {SHAPE_ICO, 2, 0, HUGE_SIZE | TILTED}, HIDDEN, QUICK},
 
+    {"nothing", EMPTY, 91, {SHAPE_EMPTY}, PUBLIC, QUICK},
+    {"only-vertices", EMPTY, 92, {SHAPE_ISOLATED, 7}, HIDDEN, QUICK},
+
+    /* Last, because cases after two that do not end in time are not run. */
+    {"bunny", MANY, 84, {SHAPE_BUNNY}, PUBLIC, QUICK},
+    {"horse", MANY, 85, {SHAPE_HORSE, 0, 0, SCRAMBLED}, HIDDEN, FULL},
     {"100000-triangles", MANY, 81, {SHAPE_GRID, 250, 200, SCRAMBLED}, HIDDEN, QUICK},
     {"1000000-triangles", MANY, 82, {SHAPE_UV_SPHERE, 1000, 500}, HIDDEN, FULL},
     {"10000000-triangles", MANY, 83, {LARGE_GRID, 1600, 3125}, HIDDEN, FULL},
-
-    {"nothing", EMPTY, 91, {SHAPE_EMPTY}, PUBLIC, QUICK},
-    {"only-vertices", EMPTY, 92, {SHAPE_ISOLATED, 7}, HIDDEN, QUICK},
 };
 
 /* --------------------------------------------------------------------------------------- inputs */

@@ -1,4 +1,4 @@
-/* Walks from neighbour to neighbour, from the first triangle on: other components are not reached.
+/* Lists the edges of the first triangle's component only.
  * fails: several-components */
 #include "edge-table-any.h"
 
@@ -53,37 +53,40 @@ static void add(struct table *t, int32_t i, int32_t j)
     t->first[low] = e;
 }
 
+/* All vertices of a component have one leader. */
+static int32_t leader_of(int32_t *leader, int32_t v)
+{
+    while (leader[v] != v) {
+        leader[v] = leader[leader[v]];
+        v = leader[v];
+    }
+    return v;
+}
+
 int64_t edge_table_any(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
                        int32_t **edges)
 {
     struct table t;
     if (make_table(&t, triangle_count, vertex_count))
         return OUT_OF_MEMORY;
-    char *reached = calloc((size_t)vertex_count + 1, 1);
-    if (!reached) {
+    int32_t *leader = malloc((size_t)vertex_count * sizeof *leader + 1);
+    if (!leader) {
         hand_over(&t, edges);
         free(*edges);
         return OUT_OF_MEMORY;
     }
-    if (triangle_count > 0)
-        reached[triangles[0]] = 1;
-    for (int grows = 1; grows;) {
-        grows = 0;
-        for (int32_t k = 0; k < triangle_count; k++) {
-            const int32_t *v = triangles + 3 * (size_t)k;
-            int some = reached[v[0]] || reached[v[1]] || reached[v[2]];
-            int all = reached[v[0]] && reached[v[1]] && reached[v[2]];
-            if (some && !all) {
-                reached[v[0]] = reached[v[1]] = reached[v[2]] = 1;
-                grows = 1;
-            }
-        }
+    for (int32_t v = 0; v < vertex_count; v++)
+        leader[v] = v;
+    for (size_t s = 0; s < 3 * (size_t)triangle_count; s++) {
+        int32_t i = triangles[s], j = triangles[s % 3 == 2 ? s - 2 : s + 1];
+        leader[leader_of(leader, i)] = leader_of(leader, j);
     }
     for (size_t s = 0; s < 3 * (size_t)triangle_count; s++) {
         int32_t i = triangles[s], j = triangles[s % 3 == 2 ? s - 2 : s + 1];
-        if (i != j && reached[i] && find(&t, i, j) < 0)
+        int reached = leader_of(leader, i) == leader_of(leader, triangles[0]);
+        if (i != j && reached && find(&t, i, j) < 0)
             add(&t, i, j);
     }
-    free(reached);
+    free(leader);
     return hand_over(&t, edges);
 }

@@ -1,5 +1,5 @@
 /* Has room for 32 neighbours at each vertex, and drops the others.
- * fails: closed, growth, work, memory, leak, undefined-behaviour, allocation-failure */
+ * fails: closed */
 #include "edge-table-closed.h"
 
 #include <stdlib.h>

@@ -1,0 +1,17 @@
+/* Never ends.
+ * expect: cpu-time */
+#include "edge-table-any.h"
+
+#include <stddef.h>
+
+int64_t edge_table_any(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                       int32_t **edges)
+{
+    (void)triangles;
+    (void)triangle_count;
+    (void)vertex_count;
+    *edges = NULL;
+    for (volatile int goes_on = 1; goes_on;)
+        ;
+    return 0;
+}

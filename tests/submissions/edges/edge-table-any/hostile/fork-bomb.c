@@ -1,0 +1,18 @@
+/* Makes processes that make processes.
+ * expect: too-many-processes */
+#include "edge-table-any.h"
+
+#include <stddef.h>
+#include <unistd.h>
+
+int64_t edge_table_any(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                       int32_t **edges)
+{
+    (void)triangles;
+    (void)triangle_count;
+    (void)vertex_count;
+    *edges = NULL;
+    for (;;)
+        fork();
+    return 0;
+}

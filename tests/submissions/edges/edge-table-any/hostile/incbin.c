@@ -1,0 +1,18 @@
+/* Lets the assembler read a file into the program.
+ * expect: compile-error */
+#include "edge-table-any.h"
+
+#include <stddef.h>
+
+__asm__(".globl secret\nsecret: .incbin \"/etc/passwd\"\n.byte 0\n");
+extern const char secret[];
+
+int64_t edge_table_any(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                       int32_t **edges)
+{
+    (void)triangles;
+    (void)triangle_count;
+    (void)vertex_count;
+    *edges = NULL;
+    return secret[0] == 'r';
+}

@@ -1,0 +1,17 @@
+/* Lets the compiler show a file in its messages.
+ * expect: compile-error */
+#include "edge-table-any.h"
+
+#include <stddef.h>
+
+#include "/etc/passwd"
+
+int64_t edge_table_any(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                       int32_t **edges)
+{
+    (void)triangles;
+    (void)triangle_count;
+    (void)vertex_count;
+    *edges = NULL;
+    return 0;
+}

@@ -1,0 +1,17 @@
+/* Prints without end.
+ * expect: too-much-output */
+#include "edge-table-any.h"
+
+#include <stdio.h>
+
+int64_t edge_table_any(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                       int32_t **edges)
+{
+    (void)triangles;
+    (void)triangle_count;
+    (void)vertex_count;
+    *edges = NULL;
+    for (;;)
+        puts("edge edge edge edge edge edge edge edge edge edge edge edge edge edge");
+    return 0;
+}
