@@ -72,34 +72,70 @@ static void name_place(const struct formula *formula, const int32_t *row, char *
         snprintf(place, PLACE_BYTES, "%s = %d", formula->parameter[0], row[0]);
 }
 
-/* Growth exponent between the first and the last point, 0 when there are not two. */
-static double slope(const double *x, const double *y, int count)
+struct point {
+    double x, y;
+};
+
+static int compare_points(const void *left, const void *right)
 {
-    if (count < 2 || !(x[count - 1] > x[0]))
-        return 0;
-    return log(y[count - 1] / y[0]) / log(x[count - 1] / x[0]);
+    const struct point *a = left, *b = right;
+    return a->x < b->x ? -1 : a->x > b->x;
 }
 
-/* Adds one curve over the rows that may be drawn; a value that is not positive is left out. */
+/* Growth exponent between the first and the last point; 0 when the curve does not rise throughout.
+ */
+static double slope(const struct point *points, int count)
+{
+    for (int i = 1; i < count; i++)
+        if (!(points[i].x > points[i - 1].x && points[i].y > points[i - 1].y))
+            return 0;
+    if (count < 2)
+        return 0;
+    return log(points[count - 1].y / points[0].y) / log(points[count - 1].x / points[0].x);
+}
+
+static bool on_diagonal(const struct formula *formula, const int32_t *row)
+{
+    return !formula->parameter[1] || row[0] == row[1];
+}
+
+/* Whether the first parameter can be the x axis: a row where both parameters are equal is wrong. */
+static bool diagonal_tells(const struct formula *formula, const int32_t *rows, int64_t row_count,
+                           const int64_t *answers)
+{
+    for (int64_t i = 0; i < row_count; i++)
+        if (on_diagonal(formula, rows + 2 * i) && answers[i] != right_at(formula, rows, i))
+            return true;
+    return false;
+}
+
+/* Adds one curve: over the first parameter, of the rows on the diagonal, or else over the right
+ * value, of all rows. A value that is not positive has no place on the axes and is left out. */
 static int add_curve(struct scene *scene, const char *name, const struct formula *formula,
-                     const int32_t *rows, int64_t row_count, const int64_t *answers,
+                     const int32_t *rows, int64_t row_count, const int64_t *answers, bool diagonal,
                      struct error *err)
 {
-    double *x = malloc(2 * sizeof *x * (size_t)(row_count + 1));
-    if (!x)
-        return error_set(err, "out of memory for a chart of %" PRId64 " points", row_count);
-    double *y = x + row_count + 1;
-    int count = 0;
-    for (int64_t i = 0; i < row_count; i++) {
-        int64_t value = answers ? answers[i] : right_at(formula, rows, i);
-        if ((formula->parameter[1] && rows[2 * i] != rows[2 * i + 1]) || value <= 0)
+    struct point *points = calloc((size_t)row_count + 1, sizeof *points);
+    double *x = calloc(2 * (size_t)row_count + 1, sizeof *x);
+    int count = 0, failed = 0;
+    for (int64_t i = 0; points && i < row_count; i++) {
+        int64_t right = right_at(formula, rows, i), value = answers ? answers[i] : right;
+        if ((diagonal && !on_diagonal(formula, rows + 2 * i)) || value <= 0 || right <= 0)
             continue;
-        x[count] = rows[2 * i];
-        y[count++] = (double)value;
+        points[count++] = (struct point){diagonal ? rows[2 * i] : (double)right, (double)value};
     }
-    int failed = 0;
-    if (count > 0)
-        failed = scene_add_curve(scene, name, x, y, count, slope(x, y, count), err);
+    if (!points || !x) {
+        failed = error_set(err, "out of memory for a chart of %" PRId64 " points", row_count);
+    } else if (count > 0) {
+        qsort(points, (size_t)count, sizeof *points, compare_points);
+        for (int i = 0; i < count; i++) {
+            x[i] = points[i].x;
+            x[row_count + i] = points[i].y;
+        }
+        double exponent = diagonal ? slope(points, count) : 0;
+        failed = scene_add_curve(scene, name, x, x + row_count, count, exponent, err);
+    }
+    free(points);
     free(x);
     return failed;
 }
@@ -107,15 +143,18 @@ static int add_curve(struct scene *scene, const char *name, const struct formula
 static int show_curves(const struct formula *formula, const int32_t *rows, int64_t row_count,
                        const int64_t *answers, struct scene *scene, struct error *err)
 {
-    if (formula->parameter[1])
+    bool diagonal = diagonal_tells(formula, rows, row_count, answers);
+    if (!diagonal)
+        snprintf(scene->x_label, sizeof scene->x_label, "right %s", formula->unit);
+    else if (formula->parameter[1])
         snprintf(scene->x_label, sizeof scene->x_label, "%s = %s", formula->parameter[0],
                  formula->parameter[1]);
     else
         snprintf(scene->x_label, sizeof scene->x_label, "%s", formula->parameter[0]);
     snprintf(scene->y_label, sizeof scene->y_label, "%s", formula->unit);
-    if (add_curve(scene, "submission", formula, rows, row_count, answers, err))
+    if (add_curve(scene, "submission", formula, rows, row_count, answers, diagonal, err))
         return -1;
-    return add_curve(scene, "right", formula, rows, row_count, NULL, err);
+    return add_curve(scene, "right", formula, rows, row_count, NULL, diagonal, err);
 }
 
 int formula_judge(const struct formula *formula, const int32_t *rows, int64_t row_count,

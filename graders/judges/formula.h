@@ -24,7 +24,8 @@ struct formula {
 };
 
 /* Accepts when every answer is right. Otherwise rejects, names the first wrong row and shows the
- * submission's curve and the right one over the first parameter (of the rows where both are equal).
+ * submission's curve and the right one, over the first parameter (of the rows where both parameters
+ * are equal) or, when all of these are right, over the right value.
  *
  * rows       2 * row_count parameters, the smallest first; the second of a row is 0 if there is one
  * answers    row_count values

@@ -423,3 +423,29 @@ int sphere_judge_triangles(const struct sphere_mesh *mesh, struct judgement *out
     judge_accept(out);
     return 0;
 }
+
+/* --------------------------------------------------------------- as it should be */
+
+int sphere_make(struct mesh *mesh, int32_t k, struct error *err)
+{
+    if (mesh_init(mesh, (int64_t)k * k, 2 * (int64_t)k * (k - 1), err))
+        return -1;
+    int32_t *corner = mesh->triangles;
+    for (int32_t j = 0; j < k; j++) {
+        int32_t here = j * k, next = (j + 1) % k * k;
+        for (int32_t i = 0; i < k; i++) {
+            float *p = mesh->positions + 3 * (int64_t)(here + i);
+            double from_pole = PI * i / (k - 1), around = 2 * PI * j / k;
+            p[0] = (float)(0.5 * sin(from_pole) * cos(around));
+            p[1] = (float)(0.5 * sin(from_pole) * sin(around));
+            p[2] = (float)(0.5 * cos(from_pole));
+            if (i == 0)
+                continue;
+            const int32_t cell[6] = {here + i - 1, here + i, next + i,
+                                     here + i - 1, next + i, next + i - 1};
+            memcpy(corner, cell, sizeof cell);
+            corner += 6;
+        }
+    }
+    return 0;
+}

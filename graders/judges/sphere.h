@@ -31,4 +31,8 @@ int sphere_judge_vertices(const struct sphere_mesh *mesh, struct judgement *out,
 int sphere_judge_triangles(const struct sphere_mesh *mesh, struct judgement *out,
                            struct error *err) MUST_CHECK;
 
+/* The mesh as it should be, vertex i of meridian j as number j * k + i. The caller owns it. Returns
+ * 0, or -1 and *err (out of memory). */
+int sphere_make(struct mesh *mesh, int32_t k, struct error *err) MUST_CHECK;
+
 #endif

@@ -7,7 +7,6 @@
 #include "graders/judges/show.h"
 #include "graders/judges/sphere.h"
 #include "graders/runner/memory/questions.h"
-#include "reference/mesh/generate.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -350,7 +349,7 @@ static int show_voxels(int32_t k, const uint8_t *bits, struct scene *scene, stru
     if (k > SHOWN_VOXELS_PER_SIDE)
         return 0;
     if (k >= 3) {
-        if (generate_uv_sphere(&mesh, k, k - 2, err))
+        if (sphere_make(&mesh, k, err))
             return -1;
         int failed = scene_set_mesh(scene, mesh.positions, mesh.vertex_count, mesh.triangles,
                                     mesh.triangle_count, err);
