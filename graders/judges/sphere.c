@@ -160,7 +160,8 @@ static int cover_init(struct cover *cover, const struct sphere_mesh *mesh, struc
     cover->spokes = calloc(2 * k * k, 1);
     if (!cover->place || !cover->halves || !cover->caps || !cover->spokes) {
         cover_release(cover);
-        return error_set(err, "out of memory for a sphere of %d meridians", mesh->k);
+        error_set(err, "out of memory for a sphere of %d meridians", mesh->k);
+        return -1;
     }
     for (int32_t v = 0; v < mesh->k * mesh->k; v++) {
         struct place place = nearest_place(mesh->k, mesh->vertices + 3 * (int64_t)v);
