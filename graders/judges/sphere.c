@@ -154,7 +154,7 @@ static int cover_init(struct cover *cover, const struct sphere_mesh *mesh, struc
     size_t k = (size_t)mesh->k;
     int32_t at_pole[2] = {0, 0};
     *cover = (struct cover){.mesh = mesh};
-    cover->place = malloc(k * k * sizeof *cover->place);
+    cover->place = calloc(k * k, sizeof *cover->place);
     cover->halves = calloc(k * k, 1);
     cover->caps = calloc(2 * k, 1);
     cover->spokes = calloc(2 * k * k, 1);
