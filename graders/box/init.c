@@ -5,7 +5,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <grp.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdio.h>
@@ -27,10 +26,14 @@ static _Noreturn void fail(struct inside *inside, const char *what, int error)
     _exit(1);
 }
 
+/* Straight to the kernel, as is everything here that glibc would guard by locks or do in all
+ * threads: after the clone there is one thread, but glibc's memory still tells of the engine's, and
+ * a lock that one of those held is never released. */
 static void reset_signals(void)
 {
+    static const uint64_t by_default[4]; /* handler, flags, restorer, mask: all 0 */
     for (int number = 1; number < NSIG; number++)
-        signal(number, SIG_DFL); /* fails for some, which have no handler anyway */
+        syscall(SYS_rt_sigaction, number, by_default, NULL, sizeof(uint64_t));
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
@@ -103,18 +106,24 @@ static void await_go(struct inside *inside)
     inside->other_user = go == 'o';
 }
 
-int init_take_user(uint32_t id)
+/* Groups first: after the user id is gone nothing else can be changed. */
+static int take_user(uint32_t id)
 {
-    return setgroups(0, NULL) || setresgid(id, id, id) || setresuid(id, id, id) ? -1 : 0;
+    return syscall(SYS_setresgid, id, id, id) || syscall(SYS_setresuid, id, id, id) ? -1 : 0;
+}
+
+static int drop_groups(void)
+{
+    return (int)syscall(SYS_setgroups, 0L, NULL);
 }
 
 /* Inside a user namespace: keeps the capabilities, which reach no further than the namespace. */
 static void become_inner_user(struct inside *inside)
 {
     if (getuid() != INNER_ID) {
-        if (setgroups(0, NULL) && errno != EPERM)
+        if (drop_groups() && errno != EPERM)
             fail(inside, "setgroups", errno);
-        if (setresgid(INNER_ID, INNER_ID, INNER_ID) || setresuid(INNER_ID, INNER_ID, INNER_ID))
+        if (take_user(INNER_ID))
             fail(inside, "setresuid", errno);
     }
     if (inside->other_user)
@@ -131,10 +140,19 @@ static void drop_user(struct inside *inside)
         return;
     if (geteuid() != 0)
         layer_fails(&inside->report, BOX_OTHER_USER, "the engine is not root", 0);
-    else if (init_take_user(SPARE_ID))
+    else if (drop_groups() || take_user(SPARE_ID))
         layer_fails(&inside->report, BOX_OTHER_USER, "setresuid", errno);
     else
         layer_works(&inside->report, BOX_OTHER_USER);
+}
+
+/* Each change of the user id takes this back, and the engine may have died meanwhile. */
+static void end_with_engine(const struct inside *inside)
+{
+    char byte;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (recv(inside->init, &byte, 1, MSG_DONTWAIT | MSG_PEEK) == 0)
+        _exit(1);
 }
 
 static pid_t fork_program(struct inside *inside)
@@ -189,6 +207,7 @@ static void reap_until(struct inside *inside, pid_t program)
 
 _Noreturn void init_main(struct inside *inside)
 {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     reset_signals();
     umask(022);
     arrange_descriptors(inside);
@@ -198,10 +217,9 @@ _Noreturn void init_main(struct inside *inside)
     root_enter(inside);
     if (!(inside->namespaces & CLONE_NEWUSER))
         drop_user(inside);
-    /* Each change of the user id undoes both of these. */
     prctl(PR_SET_DUMPABLE, 0);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
     prctl(PR_SET_CHILD_SUBREAPER, 1);
+    end_with_engine(inside);
 
     pid_t program = fork_program(inside);
     close(SLOT_NOTES); /* now only the program holds it: its end tells the engine of the exec */

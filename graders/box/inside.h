@@ -91,9 +91,6 @@ int namespaces_spawn(struct inside *inside, struct box *box, struct error *err);
 _Noreturn void init_main(struct inside *inside);
 _Noreturn void program_main(struct inside *inside);
 
-/* Takes another user id, inside or outside a user namespace. Returns 0 or -1. */
-int init_take_user(uint32_t id);
-
 /* ---- root.c */
 void root_plan(struct inside *inside);
 /* Detaches copies of the trees not taken yet. The engine does it when it is root, since it may pass
