@@ -6,6 +6,7 @@
 #include <cmath>
 
 static const size_t ticks_enough = 7;
+static const double least_gap = .06; /* between two ticks, of the axis */
 
 double log_axis::place(double value) const
 {
@@ -70,14 +71,24 @@ static std::vector<double> chosen_steps(const log_axis &axis, bool bytes)
     return {};
 }
 
+/* Of the values themselves those that leave room for their names. */
+static std::vector<double> apart(const log_axis &axis, std::vector<double> values)
+{
+    std::vector<double> chosen;
+    std::sort(values.begin(), values.end());
+    for (double value : values)
+        if (chosen.empty() || axis.place(value) - axis.place(chosen.back()) > least_gap)
+            chosen.push_back(value);
+    return chosen;
+}
+
 log_axis make_axis(const std::vector<double> &values, const std::string &label)
 {
     log_axis axis = range_of(values);
     bool bytes = speaks_of_bytes(label);
     std::vector<double> named = chosen_steps(axis, bytes);
     if (named.size() < 2)
-        named = {axis.low * std::pow(axis.high / axis.low, .2),
-                 axis.low * std::pow(axis.high / axis.low, .8)};
+        named = apart(axis, values);
     for (double value : named)
         axis.ticks.push_back({value, label_of(value, bytes)});
     return axis;
@@ -92,7 +103,7 @@ log_axis make_axis_of_sizes(const std::vector<double> &values, const std::string
     if (sizes.size() < 2 || sizes.size() > ticks_enough + 2)
         return make_axis(values, label);
     for (size_t i = 1; i < sizes.size(); i++)
-        if (axis.place(sizes[i]) - axis.place(sizes[i - 1]) < .06)
+        if (axis.place(sizes[i]) - axis.place(sizes[i - 1]) < least_gap)
             return make_axis(values, label);
     for (double size : sizes)
         axis.ticks.push_back({size, label_of(size, speaks_of_bytes(label))});

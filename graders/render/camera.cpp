@@ -51,42 +51,29 @@ std::vector<place> sample_surface(const std::vector<vec3> &points,
     return samples;
 }
 
+depth_grid::depth_grid(const std::vector<place> &surface, const view &look)
+    : look_(look), nearest_(cells * cells, -1e9)
+{
+    for (const place &sample : surface) {
+        double &nearest = nearest_[cell(sample.point)];
+        nearest = std::max(nearest, dot(sample.point, look.toward));
+    }
+}
+
+bool depth_grid::hides(vec3 point) const
+{
+    const double near_enough = .05;
+    return nearest_[cell(point)] > dot(point, look_.toward) + near_enough;
+}
+
+size_t depth_grid::cell(vec3 point) const
+{
+    auto column = [](double at) { return std::clamp(int((at + .5) * cells), 0, cells - 1); };
+    return size_t(column(dot(point, look_.up))) * cells + column(dot(point, look_.right));
+}
+
 namespace
 {
-/* How near to the eye the surface comes in each cell of a coarse picture. */
-class depth_grid
-{
-  public:
-    depth_grid(const std::vector<place> &surface, const view &look)
-        : look_(look), nearest_(cells * cells, -1e9)
-    {
-        for (const place &sample : surface) {
-            double &nearest = nearest_[cell(sample.point)];
-            nearest = std::max(nearest, dot(sample.point, look.toward));
-        }
-    }
-    bool hides(vec3 point) const
-    {
-        const double near_enough = .05;
-        return nearest_[cell(point)] > dot(point, look_.toward) + near_enough;
-    }
-
-  private:
-    static constexpr int cells = 48;
-
-    static int column(double at) /* the unit box reaches from -1/2 to 1/2 */
-    {
-        return std::clamp(int((at + .5) * cells), 0, cells - 1);
-    }
-    size_t cell(vec3 point) const
-    {
-        return size_t(column(dot(point, look_.up))) * cells + column(dot(point, look_.right));
-    }
-
-    view look_;
-    std::vector<double> nearest_;
-};
-
 /* Weighted share of the marked places that face the eye and are not hidden, 0 ... 1. */
 double share_seen(const std::vector<place> &surface, const std::vector<place> &marked,
                   const view &look)
@@ -108,9 +95,12 @@ double share_seen(const std::vector<place> &surface, const std::vector<place> &m
 
 double share_facing(const std::vector<place> &surface, const view &look)
 {
+    const double back_worth = .5;
     double sum = 0;
-    for (const place &one : surface)
-        sum += std::max(0.0, dot(one.normal, look.toward));
+    for (const place &one : surface) {
+        double facing = dot(one.normal, look.toward);
+        sum += facing > 0 ? facing : -back_worth * facing;
+    }
     return surface.empty() ? 0 : sum / double(surface.size());
 }
 } // namespace

@@ -29,6 +29,21 @@ struct place {
 std::vector<place> sample_surface(const std::vector<vec3> &points,
                                   const std::vector<triangle> &triangles);
 
+/* How near to the eye a surface within the unit box comes, in the cells of a coarse picture. */
+class depth_grid
+{
+  public:
+    depth_grid(const std::vector<place> &surface, const view &look);
+    bool hides(vec3 point) const; /* roughly */
+
+  private:
+    static constexpr int cells = 48;
+    size_t cell(vec3 point) const;
+
+    view look_;
+    std::vector<double> nearest_;
+};
+
 /* The view, of a few dozen, from which the surface shows most of its outer side and most of the
  * marked places are seen and not hidden by the surface; the usual one when they do not differ much.
  */

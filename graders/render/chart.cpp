@@ -25,17 +25,28 @@ struct plot_area {
     }
 };
 
+bool is_submission(const curve &one)
+{
+    return one.name == "submission";
+}
+
+/* What a submission is held against: the reference's measures or the right values. */
+bool is_yardstick(const curve &one)
+{
+    return one.name == "reference" || one.name == "right";
+}
+
 /* Colours and markers go with the name, so that the submission looks the same in every chart. */
 size_t look_of(const std::vector<curve> &curves, size_t index)
 {
-    if (curves[index].name == "submission")
+    if (is_submission(curves[index]))
         return 0;
-    if (curves[index].name == "reference")
+    if (is_yardstick(curves[index]))
         return 1;
     bool named = false;
     size_t before = 0;
     for (size_t i = 0; i < curves.size(); i++) {
-        bool special = curves[i].name == "submission" || curves[i].name == "reference";
+        bool special = is_submission(curves[i]) || is_yardstick(curves[i]);
         named = named || special;
         before += i < index && !special;
     }
@@ -199,10 +210,11 @@ void draw_legend_card(paper &sheet, const plot_area &area, const std::vector<cur
     }
 }
 
-const curve *named(const std::vector<curve> &curves, const char *name)
+/* The first curve of a kind that has points, or null. */
+const curve *first_of(const std::vector<curve> &curves, bool (*is_kind)(const curve &))
 {
     for (const curve &one : curves)
-        if (one.name == name && !one.x.empty())
+        if (is_kind(one) && !one.x.empty())
             return &one;
     return nullptr;
 }
@@ -210,7 +222,8 @@ const curve *named(const std::vector<curve> &curves, const char *name)
 /* How many times the reference's the submission's last point is, as a bracket at its right. */
 void draw_ratio(paper &sheet, const plot_area &area, const std::vector<curve> &curves)
 {
-    const curve *submission = named(curves, "submission"), *reference = named(curves, "reference");
+    const curve *submission = first_of(curves, is_submission);
+    const curve *reference = first_of(curves, is_yardstick);
     if (!submission || !reference || submission->x.back() != reference->x.back())
         return;
     double ratio = submission->y.back() / reference->y.back();
@@ -222,8 +235,9 @@ void draw_ratio(paper &sheet, const plot_area &area, const std::vector<curve> &c
     sheet.line({x, a.y}, {x, b.y}, 1.4, palette::grey_ink);
     sheet.line({x - 5, a.y}, {x, a.y}, 1.4, palette::grey_ink);
     sheet.line({x - 5, b.y}, {x, b.y}, 1.4, palette::grey_ink);
-    std::string words =
-        "× " + (ratio >= 9.95 ? short_number(std::round(ratio)) : exponent_text(ratio));
+    double times = std::max(ratio, 1 / ratio);
+    std::string words = (ratio < 1 ? "÷ " : "× ") +
+                        (times >= 9.95 ? short_number(std::round(times)) : exponent_text(times));
     sheet.text({x + 7, (a.y + b.y) / 2 + 5}, words, {14, weight::semibold, palette::ink});
 }
 } // namespace
@@ -241,7 +255,7 @@ image draw_chart(const scene &from, picture_size size)
     target.on_paper([&](paper &sheet) {
         plot_area area = {108,
                           sheet.width() - 76,
-                          80,
+                          100,
                           sheet.height() - 76,
                           make_axis_of_sizes(xs, from.x_label),
                           make_axis(ys, from.y_label)};

@@ -28,11 +28,11 @@ static view look_at_mark(const view &look, vec3 normal)
 
 std::optional<close_up> choose_close_up(const scene &from, const shape &mesh, const view &look)
 {
-    const double small = .035; /* of the mesh's diagonal */
+    const double small = .05; /* of the mesh's diagonal */
     for (const mark &one : from.marks) {
         if (one.kind == boundary)
             continue;
-        double reach = std::max(mark_reach(mesh, one), 1.2 * mesh.mean_edge);
+        double reach = std::max(mark_reach(mesh, one), 1.2 * mesh.spacing);
         if (reach > small || mesh.triangles.empty())
             return std::nullopt;
         return close_up{one, mark_middle(mesh.points, one),

@@ -2,6 +2,8 @@
 #include "graders/render/marks.hpp"
 #include "graders/render/text.hpp"
 
+#include <set>
+
 namespace
 {
 /* Of the edges of a kind, in tube radii. */
@@ -88,17 +90,37 @@ void add_kind(vtkRenderer *renderer, const std::vector<vec3> &points,
 }
 } // namespace
 
+static edge edge_of(const mark &one)
+{
+    return {std::min(one.vertex[0], one.vertex[1]), std::max(one.vertex[0], one.vertex[1])};
+}
+
+/* Without the boundary edges that are marked as something worse too. */
+static std::vector<mark> without_covered(const std::vector<mark> &marks)
+{
+    std::set<edge> at_fault;
+    for (const mark &one : marks)
+        if (one.what == element::at_edge && one.kind != boundary)
+            at_fault.insert(edge_of(one));
+    std::vector<mark> kept;
+    for (const mark &one : marks)
+        if (one.what != element::at_edge || one.kind != boundary || !at_fault.count(edge_of(one)))
+            kept.push_back(one);
+    return kept;
+}
+
 void add_marks(vtkRenderer *renderer, const std::vector<vec3> &points,
                const std::vector<mark> &marks, double radius, finish look)
 {
+    std::vector<mark> shown = without_covered(marks);
     for (int kind = 0; kind < mark_kind_count; kind++)
-        add_kind(renderer, points, marks, mark_kind(kind), radius, look);
+        add_kind(renderer, points, shown, mark_kind(kind), radius, look);
 }
 
 double mark_radius(const shape &mesh, double paper_units_per_world_unit)
 {
     const double thinnest_units = 1.25, thickest_units = 2.7;
-    return std::clamp(.09 * mesh.mean_edge, thinnest_units / paper_units_per_world_unit,
+    return std::clamp(.09 * mesh.spacing, thinnest_units / paper_units_per_world_unit,
                       thickest_units / paper_units_per_world_unit);
 }
 

@@ -24,7 +24,7 @@ std::vector<place> marked_places(const shape &mesh, const std::vector<mark> &mar
 
 void add_wire(canvas &target, const shape &mesh, double units)
 {
-    double opacity = std::clamp(mesh.mean_edge * units / 28, .07, .45);
+    double opacity = wire_opacity(mesh.spacing * units);
     target.world()->AddActor(wire_actor(mesh.points, mesh.edges, .9 * target.scale(),
                                         palette::wire.with_alpha(opacity)));
 }
@@ -34,8 +34,10 @@ void add_isolated(canvas &target, const shape &mesh, double radius)
     solids dots;
     for (size_t i = 0; i < mesh.isolated.size() && i < isolated_limit; i++)
         dots.ball(mesh.points[mesh.isolated[i]], 1.3 * radius);
-    if (!dots.empty())
-        target.world()->AddActor(dots.actor(palette::grey_ink, finish::lit));
+    if (dots.empty())
+        return;
+    target.world()->AddActor(dots.actor(palette::grey_ink, finish::lit));
+    target.front()->AddActor(dots.actor(palette::grey_ink.with_alpha(.22), finish::ghost));
 }
 
 std::vector<legend_entry> legend_of(const scene &from, const shape &mesh, const view &look)
@@ -55,14 +57,15 @@ std::vector<legend_entry> legend_of(const scene &from, const shape &mesh, const 
 }
 
 /* Numbers of the vertices, when they are few. */
-void label_vertices(canvas &target, const shape &mesh, const view &look, const framing &frame)
+void label_vertices(canvas &target, const shape &mesh, const depth_grid &depths,
+                    const framing &frame)
 {
     if (mesh.points.size() > labelled_vertices_limit)
         return;
     point2 middle = frame.on_paper({0, 0, 0});
     for (size_t v = 0; v < mesh.points.size(); v++) {
         point2 at = frame.on_paper(mesh.points[v]);
-        bool hidden = dot(mesh.normals[v], look.toward) < -.15;
+        bool hidden = depths.hides(mesh.points[v]);
         target.on_paper([=](paper &sheet) {
             draw_label(sheet, at, {at.x - middle.x, at.y - middle.y}, std::to_string(v), hidden);
         });
@@ -86,8 +89,8 @@ image draw_mesh(const scene &from, picture_size size)
         throw not_showable("All vertices of the mesh lie in one place.");
     shape mesh(unit_box(from.mesh.points).apply(from.mesh.points), from.mesh.triangles);
     canvas target(size.width, size.height, backdrop::gradient);
-    view look =
-        best_view(sample_surface(mesh.points, mesh.triangles), marked_places(mesh, from.marks));
+    std::vector<place> surface = sample_surface(mesh.points, mesh.triangles);
+    view look = best_view(surface, marked_places(mesh, from.marks));
     std::vector<legend_entry> legend = legend_of(from, mesh, look);
     std::optional<close_up> inset = choose_close_up(from, mesh, look);
     margins free = {48, inset ? close_up_side + 56.0 : 48, 92, legend.size() > 5 ? 100.0 : 76.0};
@@ -104,7 +107,7 @@ image draw_mesh(const scene &from, picture_size size)
     if (inset)
         add_close_up(target, *inset, from, mesh, frame);
     if (!from.cut)
-        label_vertices(target, mesh, look, frame);
+        label_vertices(target, mesh, depth_grid(surface, look), frame);
     target.on_paper([&](paper &sheet) {
         draw_title(sheet, from.title, subtitle_of(from));
         draw_legend(sheet, legend);

@@ -32,16 +32,16 @@ inline constexpr colour sheet = {237, 240, 245};
 inline constexpr colour backdrop_centre = {249, 251, 255};
 inline constexpr colour backdrop_corner = {209, 214, 223};
 inline constexpr colour surface = {230, 236, 245};
-inline constexpr colour back_face = {242, 194, 143};
+inline constexpr colour back_face = {244, 208, 170};
 inline constexpr colour wire = {26, 36, 51};
 
 /* By enum mark_kind: missing, duplicate, extra, degenerate, boundary, flipped, wrong. */
-inline constexpr colour marks[] = {{214, 32, 47}, {240, 138, 16}, {190, 25, 160}, {0, 104, 190},
-                                   {240, 196, 0}, {0, 140, 110},  {60, 40, 120}};
+inline constexpr colour marks[] = {{214, 32, 47}, {232, 116, 0}, {190, 25, 160}, {0, 104, 190},
+                                   {240, 196, 0}, {0, 140, 110}, {60, 40, 120}};
 
-/* Strips in turn. */
-inline constexpr colour strips[] = {{86, 160, 211},  {240, 186, 92},  {92, 184, 150},
-                                    {214, 140, 178}, {236, 226, 128}, {158, 150, 206}};
+/* Strips in turn; no green, which flipped triangles have. */
+inline constexpr colour strips[] = {{86, 160, 211},  {240, 186, 92},  {158, 150, 206},
+                                    {236, 226, 128}, {214, 140, 178}, {178, 192, 202}};
 
 /* Curves: submission and reference are always the first two. */
 inline constexpr colour curves[] = {{213, 74, 20},  {0, 104, 180}, {0, 146, 108},

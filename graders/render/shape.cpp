@@ -90,7 +90,7 @@ shape::shape(std::vector<vec3> given, const std::vector<triangle> &all)
     : points(std::move(given)), triangles(visible_triangles(all)), normals(points.size())
 {
     std::vector<bool> used(points.size());
-    double volume = 0, sum = 0;
+    double volume = 0;
     for (const triangle &t : all)
         for (int32_t v : t)
             used[v] = true;
@@ -107,9 +107,21 @@ shape::shape(std::vector<vec3> given, const std::vector<triangle> &all)
         if (!used[v])
             isolated.push_back(int32_t(v));
     shows_inside = !triangles.empty() && (!collect_edges(triangles, edges) || volume < 0);
+    spacing = edge_spacing(points, triangles, edges);
+}
+
+double edge_spacing(const std::vector<vec3> &points, const std::vector<triangle> &triangles,
+                    const std::vector<edge> &edges)
+{
+    double area = 0, sum = 0;
+    for (const triangle &t : triangles)
+        area += length(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 2;
     for (const edge &e : edges)
         sum += length(points[e[1]] - points[e[0]]);
-    mean_edge = edges.empty() ? 0 : sum / double(edges.size());
+    if (!(sum > 0))
+        return 0;
+    /* An even mesh has area sqrt(3)/6 of the edge length for a unit of edge. */
+    return std::min(sum / double(edges.size()), area / sum * 2 * std::sqrt(3.0));
 }
 
 std::vector<int32_t> same_places(const std::vector<vec3> &points)

@@ -23,12 +23,18 @@ struct shape {
     std::vector<edge> edges;         /* every edge of every triangle once, smaller index first */
     std::vector<int32_t> isolated;   /* vertices that no triangle uses */
     std::vector<vec3> normals;       /* of the vertices; zero where there is none */
-    double mean_edge = 0;
-    bool shows_inside = false; /* open, or wound incoherently or inside out */
+    double spacing = 0;              /* edge_spacing of it */
+    bool shows_inside = false;       /* open, or wound incoherently or inside out */
 
     shape() = default;
     shape(std::vector<vec3> points, const std::vector<triangle> &triangles);
 };
+
+/* How far edges lie apart, as the edge length of the even mesh that has as much edge on as much
+ * surface: the mean edge length, but small for long edges close together. 0 when there are no
+ * edges. */
+double edge_spacing(const std::vector<vec3> &points, const std::vector<triangle> &triangles,
+                    const std::vector<edge> &edges);
 
 /* For each point the smallest index of a point at the same place. */
 std::vector<int32_t> same_places(const std::vector<vec3> &points);

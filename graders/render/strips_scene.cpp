@@ -59,10 +59,19 @@ std::vector<triangle> all_triangles(const strip_set &set)
     return all;
 }
 
+double mean_length(const std::vector<vec3> &points, const std::vector<edge> &edges)
+{
+    double sum = 0;
+    for (const edge &e : edges)
+        sum += length(points[e[1]] - points[e[0]]);
+    return edges.empty() ? 0 : sum / double(edges.size());
+}
+
 /* The way along each strip: from middle to middle of its rungs, with a ball where it starts and a
  * cone where it ends. */
 void add_ways(canvas &target, const strip_set &set, double radius, vec3 lift)
 {
+    const double head = 7 * radius;
     solids ways;
     for (size_t s = 0; s + 1 < set.first.size(); s++) {
         std::vector<vec3> middles;
@@ -71,9 +80,10 @@ void add_ways(canvas &target, const strip_set &set, double radius, vec3 lift)
         if (middles.size() < 2)
             continue;
         vec3 end = middles.back(), before = middles[middles.size() - 2];
-        double head = std::min(7 * radius, .9 * length(end - before));
         vec3 neck = end - normalised(end - before) * head;
-        middles.back() = neck;
+        while (middles.size() > 1 && length(middles.back() - end) < head)
+            middles.pop_back();
+        middles.push_back(neck);
         ways.ball(middles[0], 2.2 * radius);
         for (size_t i = 1; i < middles.size(); i++)
             ways.tube(middles[i - 1], middles[i], .62 * radius);
@@ -127,24 +137,23 @@ image draw_strips(const scene &from, picture_size size)
     std::vector<legend_entry> legend = legend_of(from, set, any_turned_away(set.points, all, look));
     framing frame(target.world()->GetActiveCamera(), set.points, look, target.paper_width(),
                   {48, 48, 92, legend.size() > 5 ? 100.0 : 76.0});
-    double spacing = set.rungs.empty() ? .1 : 0;
-    for (const edge &rung : set.rungs)
-        spacing += length(set.points[rung[1]] - set.points[rung[0]]) / double(set.rungs.size());
-    double units = frame.units_at_middle();
-    double radius = std::clamp(.06 * spacing, .7 / units, 3.0 / units);
+    double units = frame.units_at_middle(), width = mean_length(set.points, set.rungs);
+    double spacing = edge_spacing(set.points, all, set.rungs);
+    double thin = std::clamp(.06 * spacing, .7 / units, 3.0 / units);
+    double thick = std::clamp(.06 * width, .7 / units, 3.0 / units);
 
     for (int c = 0; c < colour_count; c++)
         if (!set.triangles[c].empty())
             target.world()->AddActor(
                 surface_actor(set.points, set.triangles[c], palette::strips[c]));
     target.world()->AddActor(shadow_actor(set.points, all));
-    double opacity = std::clamp(spacing * units / 28, .1, .5);
+    double opacity = wire_opacity(spacing * units);
     target.world()->AddActor(
         wire_actor(set.points, set.rungs, 1.1 * target.scale(), palette::wire.with_alpha(opacity)));
-    if (spacing * units > 7)
-        add_ways(target, set, radius, look.toward * (1.5 * radius));
-    add_marks(target.world(), set.marked, from.marks, radius * 1.3, finish::lit);
-    add_marks(target.front(), set.marked, from.marks, radius * 1.3, finish::ghost);
+    if (width * units > 7)
+        add_ways(target, set, thick, look.toward * (1.5 * thick));
+    add_marks(target.world(), set.marked, from.marks, 1.3 * thin, finish::lit);
+    add_marks(target.front(), set.marked, from.marks, 1.3 * thin, finish::ghost);
     target.on_paper([&](paper &sheet) {
         draw_title(sheet, from.title, from.subtitle);
         draw_legend(sheet, legend);

@@ -83,6 +83,12 @@ vtkSmartPointer<vtkActor> surface_actor(const std::vector<vec3> &points,
     return actor.Get();
 }
 
+double wire_opacity(double spacing_units)
+{
+    const double opaque_spacing = 28, faintest = .01, strongest = .45;
+    return std::clamp(spacing_units / opaque_spacing, faintest, strongest);
+}
+
 vtkSmartPointer<vtkActor> wire_actor(const std::vector<vec3> &points,
                                      const std::vector<edge> &edges, double width, colour paint)
 {

@@ -24,6 +24,9 @@ vtkSmartPointer<vtkActor> surface_actor(const std::vector<vec3> &points,
 vtkSmartPointer<vtkActor> wire_actor(const std::vector<vec3> &points,
                                      const std::vector<edge> &edges, double width, colour paint);
 
+/* How opaque edges should be that lie so many units of paper apart: dense wires fade. */
+double wire_opacity(double spacing_units);
+
 /* The soft shadow that things throw on a floor just below their lowest point. */
 vtkSmartPointer<vtkActor> shadow_actor(const std::vector<vec3> &points,
                                        const std::vector<triangle> &triangles);

@@ -80,10 +80,12 @@ static std::string formatted(double number, int decimals, const char *unit)
 
 std::string byte_size(double bytes)
 {
-    static const char *const units[] = {" bytes", " KB", " MB", " GB", " TB"};
+    static const char *const units[] = {" bytes", " KB", " MB", " GB", " TB", " PB", " EB"};
     int unit = 0;
-    for (; bytes >= 1024 && unit < 4; unit++)
+    for (; bytes >= 1024 && unit < 6; unit++)
         bytes /= 1024;
+    if (unit == 0 && bytes == 1)
+        return "1 byte";
     return formatted(bytes, unit == 0 ? 0 : bytes < 10 ? 2 : 1, units[unit]);
 }
 

@@ -152,7 +152,7 @@ void add_voxels(canvas &target, const voxel_faces &faces, double units, int side
 
 void add_mesh_beside(canvas &target, const scene &from, const shape &mesh, double units)
 {
-    double opacity = std::clamp(mesh.mean_edge * units / 28, .07, .45);
+    double opacity = wire_opacity(mesh.spacing * units);
     target.world()->AddActor(surface_actor(mesh.points, mesh.triangles, palette::surface));
     target.world()->AddActor(wire_actor(mesh.points, mesh.edges, .9 * target.scale(),
                                         palette::wire.with_alpha(opacity)));
