@@ -52,7 +52,7 @@ struct curve {
     double exponent; /* fitted growth, 0 when none was fitted */
 };
 
-enum { SCENE_MARK_LIMIT = 400, SCENE_CURVE_LIMIT = 6 };
+enum { SCENE_MARK_LIMIT = 1200, SCENE_CURVE_LIMIT = 6 };
 
 struct scene {
     enum scene_kind kind;

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NAME_COLUMNS = 22, TOTAL_COLUMNS = 10, LEAST_COLUMNS = 5, MOST_COLUMNS = 16 };
+enum { NAME_COLUMNS = 20, TOTAL_COLUMNS = 8, LEAST_COLUMNS = 5, MOST_COLUMNS = 16 };
 
 static size_t column_width(const struct gradebook *book)
 {
@@ -18,13 +18,26 @@ static size_t column_width(const struct gradebook *book)
     return width < LEAST_COLUMNS ? LEAST_COLUMNS : width > MOST_COLUMNS ? MOST_COLUMNS : width;
 }
 
+/* "4.5 (a)" as "4.5a": problem numbers stand in narrow columns. */
+static const char *short_problem(const char *problem, char *text, size_t capacity)
+{
+    size_t count = 0;
+    for (; *problem && count + 1 < capacity; problem++)
+        if (*problem != ' ' && *problem != '(' && *problem != ')')
+            text[count++] = *problem;
+    text[count] = '\0';
+    return text;
+}
+
 /* The header: problem numbers, which are short, and below them as much of the names as fits. */
 static void put_header(FILE *to, const struct gradebook *book, size_t width, bool spanish)
 {
     terminal_cell(to, "", NAME_COLUMNS, false);
     for (size_t e = 0; e < book->exercise_count; e++) {
+        char problem[32];
         fputc(' ', to);
-        terminal_cell(to, book->exercises[e].problem, width, true);
+        terminal_cell(to, short_problem(book->exercises[e].problem, problem, sizeof problem), width,
+                      true);
     }
     fputc('\n', to);
     terminal_cell(to, spanish ? "estudiante" : "student", NAME_COLUMNS, false);
