@@ -188,22 +188,28 @@ static bool fits(const struct pattern *pattern, const struct edge_set *set,
     return true;
 }
 
-static bool nothing_is_listed(const struct edge_set *set)
+/* Says that the table is empty, if it is. */
+static struct hint hint_of_empty_table(const struct edge_set *set)
 {
-    for (int64_t e = 0; e < set->count; e++)
+    bool all_boundary = true;
+    for (int64_t e = 0; e < set->count; e++) {
         if (set->edges[e].listed_count > 0)
-            return false;
-    return true;
+            return NO_HINT;
+        all_boundary = all_boundary && set->edges[e].side_count == 1;
+    }
+    if (all_boundary)
+        return (struct hint){" The table is empty: an edge with only one triangle counts too.",
+                             " La tabla está vacía: una arista con un solo triángulo también "
+                             "cuenta."};
+    return (struct hint){" The table is empty.", " La tabla está vacía."};
 }
 
 struct hint edge_hint_missing(const struct mesh_view *view, const struct edge_set *set)
 {
-    if (nothing_is_listed(set))
-        return (struct hint){" The table is empty.", " La tabla está vacía."};
-    struct hint hint = NO_HINT;
+    struct hint hint = hint_of_empty_table(set);
     struct surroundings s = look_around(view, set);
     size_t count = sizeof missing_patterns / sizeof *missing_patterns;
-    for (size_t i = 0; i < count && hint.english == NO_HINT.english; i++)
+    for (size_t i = 0; i < count && !hint.english[0]; i++)
         if (fits(&missing_patterns[i], set, &s))
             hint = missing_patterns[i].hint;
     free(s.parent);

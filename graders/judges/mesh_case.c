@@ -275,7 +275,7 @@ int mesh_case_write(const struct mesh *mesh, struct writer *input, struct error 
 int mesh_case_write_input(const struct judge_case *c, const char *models, struct writer *input,
                           struct error *err)
 {
-    struct mesh mesh;
+    struct mesh mesh = {0};
     if (mesh_case_make(c, models, &mesh, err))
         return -1;
     int failed = mesh_case_write(&mesh, input, err);

@@ -36,8 +36,10 @@ static void fill_rows(struct rows *rows, const int32_t *triangles, int32_t trian
         count_side(rows, t[2], t[0]);
     }
     int32_t total = 0;
-    for (int32_t v = 0; v < vertex_count; v++)
-        rows->end[v] = total += rows->end[v];
+    for (int32_t v = 0; v < vertex_count; v++) {
+        total += rows->end[v];
+        rows->end[v] = total;
+    }
     for (const int32_t *t = triangles; t < stop; t += 3) {
         store_side(rows, t[0], t[1]);
         store_side(rows, t[1], t[2]);

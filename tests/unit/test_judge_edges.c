@@ -282,6 +282,19 @@ static void the_first_element_at_fault_is_named(void **state)
     check_cause(&empty, "missing-edge", "edge {0,1}", "The table is empty");
 }
 
+static void an_empty_table_of_boundary_edges_is_explained(void **state)
+{
+    (void)state;
+    struct judge_case one = {.name = "one", .parameter = {SHAPE_ONE_TRIANGLE}};
+    struct writer input = writer_growing();
+    struct judgement judgement;
+    int64_t packet[2] = {0, 0};
+    assert_int_equal(mesh_case_write_input(&one, NULL, &input, NULL), 0);
+    assert_false(judge_bytes(&judge_edge_table_any, &input, packet, sizeof packet, &judgement));
+    assert_non_null(strstr(judgement.message, "an edge with only one triangle counts too"));
+    writer_release(&input);
+}
+
 static void wild_counts_are_claims(void **state)
 {
     (void)state;
@@ -330,6 +343,7 @@ int main(void)
         cmocka_unit_test(changed_tables_are_judged_like_the_oracle),
         cmocka_unit_test(any_bytes_are_survived),
         cmocka_unit_test(the_first_element_at_fault_is_named),
+        cmocka_unit_test(an_empty_table_of_boundary_edges_is_explained),
         cmocka_unit_test(wild_counts_are_claims),
         cmocka_unit_test(inputs_are_valid_and_repeat),
         cmocka_unit_test(any_tells_submissions_apart),

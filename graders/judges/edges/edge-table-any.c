@@ -81,7 +81,7 @@ enum { FAMILY_WIDTH = 8 }; /* a constant valence at the poles, a constant share 
 static int make_sized(int family, int64_t size, uint64_t seed, struct writer *input,
                       struct error *err)
 {
-    int64_t length = size / (2 * FAMILY_WIDTH);
+    int64_t length = size / 2 / FAMILY_WIDTH;
     const struct judge_case of_family[] = {
         {.seed = seed, .parameter = {SHAPE_UV_SPHERE, FAMILY_WIDTH, length, SCRAMBLED}},
         {.seed = seed, .parameter = {SHAPE_GRID, length, FAMILY_WIDTH, FLIPPED | SCRAMBLED}},

@@ -54,7 +54,7 @@ static int make_sized(int family, int64_t size, uint64_t seed, struct writer *in
 {
     const struct judge_case of_family[] = {
         {.seed = seed,
-         .parameter = {SHAPE_UV_SPHERE, FAMILY_WIDTH, size / (2 * FAMILY_WIDTH), SCRAMBLED}},
+         .parameter = {SHAPE_UV_SPHERE, FAMILY_WIDTH, size / 2 / FAMILY_WIDTH, SCRAMBLED}},
         {.seed = seed, .parameter = {SHAPE_TORUS, 1, size, ADVERSARIAL}},
     };
     return mesh_case_write_input(&of_family[family], NULL, input, err);

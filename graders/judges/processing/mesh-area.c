@@ -8,6 +8,7 @@
  * odd numbers of them (and `single-triangle`), only `many-triangles` has more than 400. */
 #include "graders/judges/mesh_area.h"
 
+#include <inttypes.h>
 #include <math.h>
 
 enum { HIDDEN = false, PUBLIC = true, QUICK = true, FULL = false };
@@ -115,8 +116,8 @@ static int write_large_grid(int64_t rows, int64_t columns, struct writer *input,
     for (int64_t row = 0; row < rows; row++)
         write_grid_triangles(input, row, columns);
     if (input->failed)
-        return error_set(err, "out of memory: a grid of %lld triangles",
-                         (long long)(2 * rows * columns));
+        return error_set(err, "out of memory: a grid of %" PRId64 " by %" PRId64 " cells", rows,
+                         columns);
     return 0;
 }
 
@@ -135,7 +136,7 @@ enum { FAMILY_WIDTH = 8 };
 static int make_sized(int family, int64_t size, uint64_t seed, struct writer *input,
                       struct error *err)
 {
-    int64_t length = size / (2 * FAMILY_WIDTH);
+    int64_t length = size / 2 / FAMILY_WIDTH;
     const struct judge_case of_family[] = {
         {.seed = seed, .parameter = {SHAPE_GRID, length, FAMILY_WIDTH, SCRAMBLED}},
         {.seed = seed, .parameter = {SHAPE_UV_SPHERE, FAMILY_WIDTH, length, SCRAMBLED}},
