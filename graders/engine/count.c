@@ -12,7 +12,9 @@
 enum {
     DUMP_LIMIT_BYTES = 16 << 20,
     SIZES_BEFORE_HOPELESS = 4,
-    HOPELESS_RATIO = 50 /* cost over the reference's ... */
+    HOPELESS_RATIO = 50, /* cost over the reference's ... */
+    ALLOCATION_OVERHEAD_BYTES = 64,
+    RESIDENT_SLACK_BYTES = 1 << 20
 };
 static const double HOPELESS_RISE = 2.83; /* ... while a doubling costs more than n^1.5 would */
 
@@ -53,6 +55,17 @@ static int start(const struct range *range, const struct build *build, enum seri
     return series_start(series, &plan, err);
 }
 
+/* What a process of these claims may grow by: its heap with the allocator's overhead, stack, static
+ * data, the regions that it shares with us, and what libc keeps. */
+static int64_t explained_bytes(const struct control *claims, const struct input *input,
+                               const struct build *build)
+{
+    return claims->heap_peak_bytes + claims->heap_peak_bytes / 8 +
+           ALLOCATION_OVERHEAD_BYTES * claims->allocation_count + claims->stack_bytes +
+           build->static_bytes + (int64_t)input->bytes + (int64_t)input->answer_bound +
+           RESIDENT_SLACK_BYTES;
+}
+
 /* Calls on one size and judges. Returns 0, or -1: a fault. `run->failure` tells. */
 static int measure_one(const struct range *range, struct series *series, int size_index,
                        const struct call_limits *limits, struct count_run *run, struct error *err)
@@ -63,6 +76,25 @@ static int measure_one(const struct range *range, struct series *series, int siz
     if (series_call(series, input, 0, limits, &run->failure) != CALL_ANSWERED)
         return 0;
     return attempt_judge(range->yardstick, input, &series->session, &run->failure, err);
+}
+
+/* Calls on the largest size, and reads from outside how much the process grew. Memory that was not
+ * asked for through malloc would show here. */
+static int measure_hidden(const struct range *range, const struct build *build,
+                          struct series *series, int size_index, struct count_run *run,
+                          struct error *err)
+{
+    const struct box *box = &series->session.box;
+    const struct input *input;
+    int64_t before = box_reset_peak(box) == 0 ? box_peak_resident_bytes(box) : -1;
+    if (measure_one(range, series, size_index, &native_limits, run, err) != 0 ||
+        yardstick_sized(range->yardstick, range->family, size_index, &input, err) != 0)
+        return -1;
+    int64_t after = series->end == CALL_ANSWERED ? box_peak_resident_bytes(box) : -1;
+    int64_t growth = before >= 0 && after >= 0 ? after - before : 0;
+    if (growth > explained_bytes(&series->session.claims, input, build))
+        run->hidden_bytes = growth - series->session.claims.heap_peak_bytes;
+    return 0;
 }
 
 static int read_memory(const struct series *series, int part, struct cost *cost, struct error *err)
@@ -116,7 +148,9 @@ static int measure(const struct range *range, const struct build *build, enum se
     run->failure.verdict = VERDICT_PASSED;
     int result = start(range, build, tool, &series, err);
     for (int i = range->first; i <= range->last && result == 0 && !run->hopeless; i++) {
-        result = measure_one(range, &series, i, limits, run, err);
+        result = tool == SERIES_PLAIN && i == range->last
+                     ? measure_hidden(range, build, &series, i, run, err)
+                     : measure_one(range, &series, i, limits, run, err);
         if (result != 0 || series.end != CALL_ANSWERED || run->failure.verdict != VERDICT_PASSED)
             break;
         result = (tool == SERIES_PLAIN ? read_memory : read_counts)(&series, i - range->first + 1,

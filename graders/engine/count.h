@@ -9,8 +9,9 @@
 
 /* How measuring a family ended. */
 struct count_run {
-    int done;               /* sizes measured, from `first` on */
-    bool hopeless;          /* stopped early: the cost is far beyond the reference's and rising */
+    int done;             /* sizes measured, from `first` on */
+    int64_t hidden_bytes; /* resident growth of the largest call that no claim explains; 0: none */
+    bool hopeless;        /* stopped early: the cost is far beyond the reference's and rising */
     struct attempt failure; /* verdict PASSED when every call was right, else what went wrong */
 };
 

@@ -49,6 +49,12 @@ static int measure_memory(struct trial *trial, int family, bool *right, struct e
     *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
     if (result == 0 && !*right)
         blame_failure(trial, family, &run);
+    if (result == 0 && run.hidden_bytes > 0)
+        check_say(
+            &trial->checks[CHECK_MEMORY], VERDICT_FLAGGED, "memory-outside-heap",
+            "The process grew by %lld bytes more than malloc gave out: a person must look.",
+            "El proceso creció %lld bytes más de lo que dio malloc: debe mirarlo una persona.",
+            (long long)run.hidden_bytes);
     attempt_release(&run.failure);
     return result;
 }
@@ -234,7 +240,7 @@ int trial_check_growth(struct trial *trial, struct error *err)
             return -1;
     if (!right)
         return 0;
-    if (exercise->checked[CHECK_MEMORY])
+    if (exercise->checked[CHECK_MEMORY] && trial->checks[CHECK_MEMORY].verdict != VERDICT_FLAGGED)
         judge_memory(trial);
     if (!yardstick->probes.valgrind) {
         say_not_measured(trial);

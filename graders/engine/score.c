@@ -320,14 +320,15 @@ int score_trial(struct trial *trial, const struct submitter *submitter, struct o
         if (trial->cases[i].run)
             json_array_append_new(cases, case_json(trial, i, submitter, outcome->scenes));
     outcome->result = header_json(exercise, submitter, &decision);
-    json_t *rest = json_pack(
-        "{s:o, s:o, s:o, s:o, s:o, s:o, s:{s:b, s:s, s:o}, s:o, s:o, s:o, s:o, s:o}", "score",
-        points_json(score), "max_score", points_json(max_score), "classes", classes, "checks",
-        checks, "cases", cases, "measures", measures_json(trial), "build", "ok",
-        !trial->build.refusal.refused, "cause", trial->build.refusal.cause, "diagnostics",
-        text_json(trial->build.diagnostics), "output", text_json(trial->output), "protections",
-        protections_json(trial), "not_measured", not_measured_json(trial), "submission",
-        submission_json(trial), "engine", engine_json(trial));
+    json_t *rest =
+        json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:{s:b, s:s, s:o}, s:o, s:o, s:o, s:o, s:o}",
+                  "score", decision.verdict == VERDICT_FLAGGED ? json_null() : points_json(score),
+                  "max_score", points_json(max_score), "classes", classes, "checks", checks,
+                  "cases", cases, "measures", measures_json(trial), "build", "ok",
+                  !trial->build.refusal.refused, "cause", trial->build.refusal.cause, "diagnostics",
+                  text_json(trial->build.diagnostics), "output", text_json(trial->output),
+                  "protections", protections_json(trial), "not_measured", not_measured_json(trial),
+                  "submission", submission_json(trial), "engine", engine_json(trial));
     if (!outcome->result || !rest || json_object_update(outcome->result, rest) != 0)
         error_set(err, "out of memory for the result, or a text that is not UTF-8");
     json_decref(rest);

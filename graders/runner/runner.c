@@ -53,6 +53,7 @@ static void describe_fault(int signal_number, siginfo_t *info, void *context)
         control->fault = FAULT_INPUT;
     else
         control->fault = FAULT_OTHER;
+    control->refused_count = shim_counts.refused_count; /* a malloc that gave NULL may explain it */
     signal(signal_number, SIG_DFL); /* returning repeats the fault, which now ends the program */
 }
 
@@ -133,6 +134,7 @@ static void forget_last_call(void)
     control->phase = PHASE_START;
     control->out_of_memory = 0;
     control->stack_bytes = 0;
+    control->refused_count = 0;
     control->fault = FAULT_NONE;
 }
 
