@@ -22,7 +22,7 @@ static int make_round_an_edge(struct mesh *mesh, int64_t count, struct error *er
     mesh->positions[5] = 0.5F;
     for (int64_t i = 0; i < count; i++) {
         int32_t p = (int32_t)(2 + 2 * i), q = p + 1;
-        int32_t faces[12] = {0, 1, p, 1, 0, q, 0, p, q, 1, q, p};
+        int32_t faces[12] = {1, 0, p, 0, 1, q, p, 0, q, q, 1, p};
         memcpy(mesh->triangles + 12 * i, faces, sizeof faces);
         for (int side = 0; side < 2; side++) {
             double angle = 2 * M_PI * ((double)i + 0.6 * side) / (double)count;
