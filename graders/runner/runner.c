@@ -32,9 +32,19 @@ enum {
 static const uint64_t PAINT = 0xA5C3965A3C5A69C3u;
 
 static struct control *control;
+
+/* What stays the same for the whole session, copied before any of the student's code has run: later
+ * the page may hold anything. */
+static struct {
+    uint32_t mode;
+    size_t input_capacity, answer_capacity;
+    int64_t heap_limit_bytes;
+} fixed;
+
 static const unsigned char *input_region;
 static unsigned char *answer_region;
 static uintptr_t stack_top;
+static bool said_out_of_memory;
 static char output_buffer[1 << 16];
 static unsigned char handler_stack[1 << 16];
 
@@ -49,7 +59,7 @@ static void describe_fault(int signal_number, siginfo_t *info, void *context)
         control->fault = FAULT_NULL;
     else if (at < stack_top && stack_top - at < (uintptr_t)64 << 20)
         control->fault = FAULT_STACK;
-    else if (at >= input - PAGE && at < input + control->input_capacity + PAGE)
+    else if (at >= input - PAGE && at < input + fixed.input_capacity + PAGE)
         control->fault = FAULT_INPUT;
     else
         control->fault = FAULT_OTHER;
@@ -102,19 +112,19 @@ __attribute__((noinline)) static int64_t painted_over_bytes(void)
 void measure_begin(void)
 {
     control->phase = PHASE_CALL;
-    if (control->mode & MODE_PAINT_STACK)
+    if (fixed.mode & MODE_PAINT_STACK)
         paint_stack();
-    shim_begin((int64_t)control->heap_limit_bytes, control->failing_allocation);
-    if (control->mode & MODE_COUNT)
+    shim_begin(fixed.heap_limit_bytes, control->failing_allocation);
+    if (fixed.mode & MODE_COUNT)
         CALLGRIND_TOGGLE_COLLECT;
 }
 
 void measure_end(void)
 {
-    if (control->mode & MODE_COUNT)
+    if (fixed.mode & MODE_COUNT)
         CALLGRIND_TOGGLE_COLLECT;
     shim_end();
-    if (control->mode & MODE_PAINT_STACK)
+    if (fixed.mode & MODE_PAINT_STACK)
         control->stack_bytes = painted_over_bytes();
     control->heap_held_bytes = shim_counts.live_bytes;
     control->phase = PHASE_ANSWER;
@@ -122,7 +132,7 @@ void measure_end(void)
 
 void call_out_of_memory(void)
 {
-    control->out_of_memory = 1;
+    said_out_of_memory = true;
 }
 
 /* ------------------------------------------------------------------- calls */
@@ -132,26 +142,31 @@ static void forget_last_call(void)
     control->echo = 0;
     control->answer_bytes = 0;
     control->phase = PHASE_START;
+    said_out_of_memory = false;
     control->out_of_memory = 0;
     control->stack_bytes = 0;
     control->refused_count = 0;
+    control->tool_errors = 0;
     control->fault = FAULT_NONE;
 }
 
 static void do_call(void)
 {
     uint64_t nonce = control->nonce;
-    struct reader input = reader_of(input_region, control->input_bytes);
-    struct writer answer = writer_into(answer_region, control->answer_capacity);
+    size_t input_bytes = control->input_bytes;
+    if (input_bytes > fixed.input_capacity)
+        input_bytes = fixed.input_capacity;
+    struct reader input = reader_of(input_region, input_bytes);
+    struct writer answer = writer_into(answer_region, fixed.answer_capacity);
     forget_last_call();
     run_call(&input, &answer);
     fflush(stdout);
-    if (control->mode & MODE_MEMCHECK) {
+    if (fixed.mode & MODE_MEMCHECK) {
         size_t written = answer.count < answer.capacity ? answer.count : answer.capacity;
         (void)VALGRIND_CHECK_MEM_IS_DEFINED(answer_region, written);
-        control->tool_errors = (int64_t)VALGRIND_COUNT_ERRORS;
     }
-    if (control->mode & MODE_COUNT)
+    control->tool_errors = (int64_t)VALGRIND_COUNT_ERRORS; /* 0 without valgrind */
+    if (fixed.mode & MODE_COUNT)
         CALLGRIND_DUMP_STATS;
     control->heap_peak_bytes = shim_counts.peak_bytes;
     control->heap_left_bytes = shim_counts.live_bytes;
@@ -159,6 +174,7 @@ static void do_call(void)
     control->allocation_count = shim_counts.allocation_count;
     control->refused_count = shim_counts.refused_count;
     control->bad_free_count = shim_counts.bad_free_count;
+    control->out_of_memory = said_out_of_memory;
     control->answer_bytes = answer.count;
     control->phase = PHASE_DONE;
     control->echo = nonce;
@@ -169,12 +185,14 @@ static void futex(_Atomic uint32_t *word, int operation, uint32_t value)
     syscall(SYS_futex, word, operation, value, NULL, NULL, 0);
 }
 
+/* A call index that is neither the last nor the next was not written by the engine: the student's
+ * code overwrote the page. Ending here keeps what the engine reads of the last call as it is. */
 static void serve_calls(void)
 {
     for (uint32_t index = 1;; index++) {
         while (atomic_load(&control->call_index) == index - 1)
             futex(&control->call_index, FUTEX_WAIT, index - 1);
-        if (atomic_load(&control->call_index) == CALL_QUIT)
+        if (atomic_load(&control->call_index) != index)
             return;
         do_call();
         atomic_store(&control->done_index, index);
@@ -205,8 +223,12 @@ int main(void)
     control = mmap(NULL, CONTROL_BYTES, PROT_READ | PROT_WRITE, MAP_SHARED, CONTROL_FD, 0);
     if (control == MAP_FAILED)
         return EXIT_NO_REGIONS;
-    input_region = map_guarded(INPUT_FD, control->input_capacity, PROT_READ);
-    answer_region = map_guarded(ANSWER_FD, control->answer_capacity, PROT_READ | PROT_WRITE);
+    fixed.mode = control->mode;
+    fixed.input_capacity = control->input_capacity;
+    fixed.answer_capacity = control->answer_capacity;
+    fixed.heap_limit_bytes = (int64_t)control->heap_limit_bytes;
+    input_region = map_guarded(INPUT_FD, fixed.input_capacity, PROT_READ);
+    answer_region = map_guarded(ANSWER_FD, fixed.answer_capacity, PROT_READ | PROT_WRITE);
     if (!input_region || !answer_region)
         return EXIT_NO_REGIONS;
     setvbuf(stdout, output_buffer, _IOFBF, sizeof output_buffer); /* no allocation to be counted */
