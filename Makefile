@@ -10,6 +10,16 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .SECONDARY:
 .DEFAULT_GOAL := all
+ifeq ($(filter -j% --jobs%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell nproc)
+endif
+# make V=1 shows the commands
+V ?= 0
+ifeq ($(V),0)
+SHOW = @echo "  $(1)" >&2;
+else
+SHOW =
+endif
 
 # ---------------------------------------------------------------- packages
 CORE_PACKAGES := gcc libc6-dev make binutils pkg-config libjansson-dev libsqlite3-dev libarchive-dev \
@@ -83,7 +93,7 @@ build/meshgrade: $(BUILD)/meshgrade $(RUNNERS)
 
 COMMAND_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,graders/meshgrade.c $(wildcard graders/commands/*.c))
 $(BUILD)/meshgrade: $(COMMAND_OBJECTS) $(BUILD)/libmeshgrade.a
-	$(CC) $(MODE) $^ -o $@ $(LDLIBS)
+	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ $(LDLIBS)
 
 $(BUILD)/libmeshgrade.a: $(LIBRARY_OBJECTS)
 	@rm -f $@
@@ -91,10 +101,10 @@ $(BUILD)/libmeshgrade.a: $(LIBRARY_OBJECTS)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(DEPENDENCIES) -c $< -o $@
+	$(call SHOW,CC  $<)$(CC) $(CFLAGS) $(DEPENDENCIES) -c $< -o $@
 
 $(BUILD)/%.o: $(BUILD)/%.c
-	$(CC) $(CFLAGS) $(DEPENDENCIES) -c $< -o $@
+	$(call SHOW,CC  $<)$(CC) $(CFLAGS) $(DEPENDENCIES) -c $< -o $@
 
 # The table of judges, by name, for graders/judges/table.h.
 $(BUILD)/judge-table.c: $(wildcard graders/judges/*) $(wildcard graders/judges/*/*.c) Makefile
@@ -119,19 +129,19 @@ FLAVOUR_checked := -DRUNNER_WITHOUT_SHIM
 
 build/runner/plain/%.o: graders/runner/%.c
 	@mkdir -p $(@D)
-	$(CC) $(RUNNER_FLAGS) $(DEPENDENCIES) -c $< -o $@
+	$(call SHOW,CC  $<)$(CC) $(RUNNER_FLAGS) $(DEPENDENCIES) -c $< -o $@
 build/runner/sanitized/%.o: graders/runner/%.c
 	@mkdir -p $(@D)
-	$(CC) $(RUNNER_FLAGS) $(FLAVOUR_sanitized) $(DEPENDENCIES) -c $< -o $@
+	$(call SHOW,CC  $<)$(CC) $(RUNNER_FLAGS) $(FLAVOUR_sanitized) $(DEPENDENCIES) -c $< -o $@
 build/runner/checked/%.o: graders/runner/%.c
 	@mkdir -p $(@D)
-	$(CC) $(RUNNER_FLAGS) $(FLAVOUR_checked) $(DEPENDENCIES) -c $< -o $@
+	$(call SHOW,CC  $<)$(CC) $(RUNNER_FLAGS) $(FLAVOUR_checked) $(DEPENDENCIES) -c $< -o $@
 
 # $(1): path of the call's source without .c, $(2): the flavour
 define runner_rules
 build/runner/$(2)/$(1).o: graders/runner/$(1).c
 	@mkdir -p $$(@D)
-	$$(CC) $$(RUNNER_FLAGS) -Iexercises/$(1) $$(FLAVOUR_$(2)) $$(DEPENDENCIES) -c $$< -o $$@
+	$$(call SHOW,CC  $$<)$$(CC) $$(RUNNER_FLAGS) -Iexercises/$(1) $$(FLAVOUR_$(2)) $$(DEPENDENCIES) -c $$< -o $$@
 build/runner/$(notdir $(1)).$(2).o: build/runner/$(2)/$(1).o $(RUNNER_PARTS:%=build/runner/$(2)/%.o)
 	@ld -r $$^ -o $$@.tmp
 	@objcopy --keep-global-symbol=main $(SHIM:%=--keep-global-symbol=__wrap_%) \
@@ -155,10 +165,10 @@ CXXFLAGS := -std=c++17 -I. $(MODE) -Wall -Wextra -Wshadow -isystem $(VTK_INCLUDE
 build/meshgrade-render: $(BUILD)/meshgrade-render
 	@ln -sf $(config)/meshgrade-render $@
 $(BUILD)/meshgrade-render: $(RENDER_SOURCES:%.cpp=$(BUILD)/%.o)
-	$(CXX) $(MODE) $^ -o $@ $(VTK_LIBRARIES) $(shell pkg-config --libs OpenImageIO jansson) -lEGL -ldl -lm
+	$(call SHOW,LD  $@)$(CXX) $(MODE) $^ -o $@ $(VTK_LIBRARIES) $(shell pkg-config --libs OpenImageIO jansson) -lEGL -ldl -lm
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(DEPENDENCIES) -c $< -o $@
+	$(call SHOW,CXX $<)$(CXX) $(CXXFLAGS) $(DEPENDENCIES) -c $< -o $@
 else
 build/meshgrade-render:
 	@echo "meshgrade: VTK or OpenImageIO is not installed: built without pictures (make deps installs both)" >&2
@@ -169,7 +179,7 @@ UNIT_TESTS := $(patsubst %.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
 UNIT_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/unit/test_*.c),$(wildcard tests/unit/*.c)))
 
 $(UNIT_TESTS): $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(UNIT_SUPPORT) $(BUILD)/libmeshgrade.a
-	$(CC) $(MODE) $^ -o $@ -lcmocka $(LDLIBS)
+	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ -lcmocka $(LDLIBS)
 
 unit: $(UNIT_TESTS) $(RUNNERS) ## build and run the unit tests
 	@failed=0; for t in $(UNIT_TESTS); do echo "== $$t"; $$t || failed=1; done; exit $$failed
@@ -203,7 +213,7 @@ lint: all ## clang-format, clang-tidy, cppcheck, gcc -fanalyzer
 	@clang-tidy --quiet $(LINT_SOURCES) -- $(CFLAGS) 2>/dev/null
 	@cppcheck --quiet --error-exitcode=1 --enable=warning,portability --inline-suppr -I. \
 	  --suppress=internalAstError $(LINT_SOURCES)
-	@for f in $(LINT_SOURCES); do $(CC) $(CFLAGS) -Werror -fanalyzer -c $$f -o /dev/null; done
+	@for f in $(LINT_SOURCES); do $(CC) $(CFLAGS) -Werror -fanalyzer -Wno-analyzer-malloc-leak -c $$f -o /dev/null; done
 
 format: ## lay out every C and C++ file
 	@clang-format -i $(C_FILES) $(CXX_FILES)
@@ -214,7 +224,7 @@ FUZZ_SUPPORT := $(filter-out tests/fuzz/replay.c $(wildcard tests/fuzz/fuzz_*.c)
 FUZZERS = $(patsubst tests/fuzz/%.c,build/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
 build/fuzz/%: tests/fuzz/%.c $(LIBRARY_SOURCES)
 	@mkdir -p $(@D)
-	clang -std=c17 -D_GNU_SOURCE -I. -O1 -g -fsanitize=fuzzer,address,undefined $< $(FUZZ_SUPPORT) \
+	clang -std=c17 -D_GNU_SOURCE -I. -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $< $(FUZZ_SUPPORT) \
 	  $(filter reference/% bench/% graders/engine/% graders/judges/%.c graders/report/clean.c,$(LIBRARY_SOURCES)) \
 	  graders/runner/packet.c $(wildcard graders/box/*.c) $(BUILD)/judge-table.c -o $@ $(LDLIBS)
 fuzz: $(BUILD)/judge-table.c $(FUZZERS) ## fuzz every parser for TIME seconds each
@@ -226,7 +236,7 @@ fuzz: $(BUILD)/judge-table.c $(FUZZERS) ## fuzz every parser for TIME seconds ea
 REPLAYS := $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
 $(REPLAYS): $(BUILD)/tests/fuzz/%: $(BUILD)/tests/fuzz/%.o $(BUILD)/tests/fuzz/replay.o \
   $(FUZZ_SUPPORT:%.c=$(BUILD)/%.o) $(BUILD)/libmeshgrade.a
-	$(CC) $(MODE) $^ -o $@ $(LDLIBS)
+	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ $(LDLIBS)
 replays: $(REPLAYS)
 
 deps: ## install the Debian packages that the build, the demo and the tests need
