@@ -65,11 +65,11 @@ struct control {
     int64_t heap_left_bytes; /* still live after everything returned was freed: leaked */
     int64_t leaked_blocks;
     int64_t allocation_count;
-    int64_t refused_count;   /* allocations refused because of heap_limit_bytes */
-    int64_t bad_free_count;  /* free or realloc of a pointer that is no live block */
-    int64_t stack_bytes;     /* with MODE_PAINT_STACK */
-    int64_t tool_errors;     /* with MODE_MEMCHECK: errors so far */
-    uint32_t fault;          /* fault_kind */
+    int64_t refused_count;  /* allocations refused because of heap_limit_bytes */
+    int64_t bad_free_count; /* free or realloc of a pointer that is no live block */
+    int64_t stack_bytes;    /* with MODE_PAINT_STACK */
+    int64_t tool_errors;    /* with MODE_MEMCHECK: errors so far */
+    uint32_t fault;         /* fault_kind */
 };
 
 #endif
