@@ -112,6 +112,8 @@ static int grade(struct classroom *classroom, const struct request *request, str
     if (result == 0 && classroom->regrade)
         print_changes(classroom);
     json_decref(classroom->changes);
+    classroom->changes = NULL;
+    classroom->store = NULL;
     store_close(&store);
     return result;
 }

@@ -142,7 +142,7 @@ static int measure(const struct range *range, const struct build *build, enum se
                    const struct cost *reference, struct cost *costs, struct count_run *run,
                    struct error *err)
 {
-    struct series series;
+    struct series series = series_none();
     const struct call_limits *limits = tool == SERIES_PLAIN ? &native_limits : &counted_limits;
     memset(run, 0, sizeof *run);
     run->failure.verdict = VERDICT_PASSED;

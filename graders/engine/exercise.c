@@ -235,7 +235,11 @@ int exercises_read(const char *root, struct exercise **exercises, int *count, st
     if (glob(pattern, 0, NULL, &found) != 0)
         return error_set(err, "%s: no exercise found", pattern);
     struct exercise *list = calloc(found.gl_pathc, sizeof *list);
-    int result = list ? 0 : error_set(err, "out of memory");
+    if (!list) {
+        globfree(&found);
+        return error_set(err, "out of memory");
+    }
+    int result = 0;
     for (size_t i = 0; i < found.gl_pathc && result == 0; i++) {
         *strrchr(found.gl_pathv[i], '/') = '\0';
         result = exercise_read(found.gl_pathv[i], &list[i], err);

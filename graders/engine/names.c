@@ -135,8 +135,8 @@ char *names_gradescope(const char *metadata, size_t bytes, const char *folder, s
         if (!inside || !take_name(&line, &length) || used + length + 2 > NAMES_BYTES)
             continue;
         if (used) {
-            memcpy(joined + used, ", ", 2);
-            used += 2;
+            joined[used++] = ',';
+            joined[used++] = ' ';
         }
         memcpy(joined + used, line, length);
         used += length;

@@ -7,6 +7,11 @@
 
 enum { TOOL_MEMORY_BYTES = 1 << 30, CPU_SECONDS = 600, TOOL_ARGUMENTS = 14 };
 
+static const char ASAN_OPTIONS[] =
+    "ASAN_OPTIONS=detect_leaks=0:abort_on_error=1:color=never:allocator_may_return_null=1:"
+    "detect_stack_use_after_return=0";
+static const char UBSAN_OPTIONS[] = "UBSAN_OPTIONS=abort_on_error=1:color=never:print_stacktrace=0";
+
 /* How each tool is run. Programs are named relative to /work, so that their counts do not depend on
  * the host's paths. GLIBC_TUNABLES pins libc's choice of string functions: counts then agree
  * between machines. Caches of declared size, not this machine's. */
@@ -29,10 +34,8 @@ static const struct {
     [SERIES_SANITIZER] = {PROGRAM_SANITIZED,
                           MODE_PLAIN,
                           {"./sanitized", NULL},
-                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp",
-                           "ASAN_OPTIONS=detect_leaks=0:abort_on_error=1:color=never:"
-                           "allocator_may_return_null=1:detect_stack_use_after_return=0",
-                           "UBSAN_OPTIONS=abort_on_error=1:color=never:print_stacktrace=0", NULL}},
+                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp", ASAN_OPTIONS,
+                           UBSAN_OPTIONS, NULL}},
     [SERIES_MEMCHECK] = {PROGRAM_CHECKED,
                          MODE_MEMCHECK,
                          {"/usr/bin/valgrind", "-q", "--tool=memcheck", "--vgdb=no",
@@ -51,15 +54,19 @@ static int make_folder(struct series *series, const struct series_plan *plan, st
     return box_give_folder(series->folder, err);
 }
 
+struct series series_none(void)
+{
+    struct series none = {.input = {.fd = -1}, .end = CALL_ANSWERED};
+    none.session.control_region.fd = none.session.answer.fd = none.session.output.fd = -1;
+    return none;
+}
+
 int series_start(struct series *series, const struct series_plan *plan, struct error *err)
 {
     bool plain = plan->tool == SERIES_PLAIN;
     int64_t heap_limit = plan->yardstick->exercise->memory_limit_bytes;
-    memset(series, 0, sizeof *series);
+    *series = series_none();
     series->yardstick = plan->yardstick;
-    series->end = CALL_ANSWERED;
-    series->input.fd = -1;
-    series->session.control_region.fd = series->session.answer.fd = series->session.output.fd = -1;
     if (region_make(&series->input, plan->input_bytes, true, err) != 0 ||
         make_folder(series, plan, err) != 0)
         return -1;

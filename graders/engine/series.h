@@ -33,6 +33,9 @@ struct series {
     bool started;
 };
 
+/* The series that is not started: series_release leaves it alone. */
+struct series series_none(void);
+
 /* Starts the program. Returns 0, or -1 and *err: a fault. series_release must follow in any case.
  */
 int series_start(struct series *series, const struct series_plan *plan,
