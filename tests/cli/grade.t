@@ -6,11 +6,12 @@ euler=$submissions/topology/euler-closed-mesh
 right_euler=$(ls "$euler"/right/*.c | head -n 1)
 
 class=$scratch/class
-mkdir -p "$class/Ana García" "$class/<b>Mallory</b>" "$scratch/zip/Bruno" "$scratch/moodle/Carla Puig_77_assignsubmission_file_"
+mkdir -p "$class/Ana García" "$class/<b>Mallory</b>" "$scratch/zip/Bruno" "$scratch/zip/Berta" "$scratch/moodle/Carla Puig_77_assignsubmission_file_"
 cp "$edges/right/sort.c" "$class/Ana García/edge-table-any.c"
 cp "$right_euler" "$class/Ana García/euler-closed-mesh.c"
 cp "$edges/wrong/boundary-lost.c" "$class/<b>Mallory</b>/edge-table-any.c"
 cp "$right_euler" "$scratch/zip/Bruno/euler_closed_mesh.c"
+cp "$right_euler" "$scratch/zip/Berta/euler_closed_mesh.c"
 cp "$right_euler" "$scratch/moodle/Carla Puig_77_assignsubmission_file_/euler-closed-mesh.c"
 (cd "$scratch/zip" && zip -qr ../b.zip .)
 (cd "$scratch/moodle" && zip -qr ../moodle.zip .)
@@ -21,7 +22,7 @@ out=$scratch/out
 code=$?
 ok "a class with a wrong answer ends with 1" [ "$code" -eq 1 ]
 ok "index.html, grades.csv and the store are there" [ -s "$out/index.html" -a -s "$out/grades.csv" -a -s "$out/meshgrade.sqlite" ]
-ok "five results are there" [ "$(ls "$out"/results/*/*.json | wc -l)" -eq 5 ]
+ok "six results are there" [ "$(ls "$out"/results/*/*.json | wc -l)" -eq 6 ]
 ok "the table of marks goes to stdout" matches "$scratch/marks" 'Ana Garc'
 ok "no scratch is left" [ ! -e "$out/scratch" ]
 ok "results keep the contract" python3 - "$out" <<'P'
@@ -55,22 +56,24 @@ ok "busy cores, another folder and environment: the same bytes" diff -r "$scratc
 cp "$edges/right/hash-table.c" "$class/<b>Mallory</b>/edge-table-any.c"
 "$meshgrade" grade "${uploads[@]}" -o "$out" --no-pictures >/dev/null 2>&1
 ok "a new file is graded anew, and now everybody passed" [ $? -eq 0 ]
-"$meshgrade" grade "${uploads[@]}" -o "$out" --rejudge --exercise euler-closed-mesh --no-pictures >/dev/null 2>"$scratch/talk"
 "$meshgrade" grade "$scratch/b.zip" -o "$out" --rejudge --no-pictures >/dev/null 2>"$scratch/talk"
 ok "rejudging tells that nothing differs" matches "$scratch/talk" '^0 results differ'
 
 for format in csv gradescope junit vpl json; do
-    "$meshgrade" export "$out" --format $format >"$scratch/export.$format" 2>"$scratch/talk"
+    student=()
+    [ $format != vpl ] || student=(--student Bruno)
+    "$meshgrade" export "$out" --format $format "${student[@]}" >"$scratch/export.$format" 2>"$scratch/talk"
     ok "export $format" [ $? -eq 0 -a -s "$scratch/export.$format" ]
 done
 ok "the exports parse" python3 - "$scratch" <<'P'
 import csv, json, sys, xml.etree.ElementTree as xml
 f = sys.argv[1] + "/export."
 rows = list(csv.reader(open(f + "csv", newline="")))
-assert len(rows) == 5 and len({len(r) for r in rows}) == 1, rows
+assert len(rows) == 6 and len({len(r) for r in rows}) == 1, rows
 json.load(open(f + "json")), json.load(open(f + "gradescope"))
 xml.parse(f + "junit")
 P
+ok "Moodle VPL gets the grade on its last line" sh -c 'tail -n 1 "$1" | grep -qx "Grade :=>> 10"' - "$scratch/export.vpl"
 ok "an unknown format is refused" exits_with 2 "$meshgrade" export "$out" --format excel 2>/dev/null
 ok "a store that is no database is refused with a remedy" sh -c '
     mkdir "$2/bad" && echo rubbish-rubbish-rubbish-rubbish >"$2/bad/meshgrade.sqlite"
