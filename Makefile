@@ -26,19 +26,20 @@ CORE_PACKAGES := gcc libc6-dev make binutils pkg-config libjansson-dev libsqlite
   libseccomp-dev nettle-dev valgrind
 PICTURE_PACKAGES := g++ libvtk9-dev libopenimageio-dev libegl-dev libegl1 libgl1-mesa-dri fonts-open-sans \
   libjs-three
-TEST_PACKAGES := libcmocka-dev perl chromium zip unzip python3-minimal
+DEMO_PACKAGES := zip
+TEST_PACKAGES := libcmocka-dev chromium python3
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 FUZZ_PACKAGES := clang libclang-rt-14-dev
 
-PACKAGES := $(CORE_PACKAGES) $(PICTURE_PACKAGES)
-ifneq ($(filter test unit validate stability,$(MAKECMDGOALS)),)
+PACKAGES := $(CORE_PACKAGES) $(PICTURE_PACKAGES) $(DEMO_PACKAGES)
+ifneq ($(filter test unit,$(MAKECMDGOALS)),)
 PACKAGES += $(TEST_PACKAGES)
 endif
 ifneq ($(filter lint format,$(MAKECMDGOALS)),)
-PACKAGES += $(TEST_PACKAGES) $(LINT_PACKAGES)
+PACKAGES += $(LINT_PACKAGES)
 endif
 ifneq ($(filter fuzz,$(MAKECMDGOALS)),)
-PACKAGES += $(TEST_PACKAGES) $(FUZZ_PACKAGES)
+PACKAGES += $(FUZZ_PACKAGES)
 endif
 SELF_PREPARING := deps demo test unit validate lint format fuzz stability bench-grader
 
@@ -50,11 +51,12 @@ MISSING := $(filter-out $(call installed,$(PACKAGES)),$(PACKAGES))
 ifneq ($(strip $(MISSING)),)
 include build/deps.mk
 build/deps.mk: force
-	@echo "meshgrade: installing Debian packages: $(MISSING)" >&2
-	@root=; if [ "$$(id -u)" != 0 ]; then root=sudo; command -v sudo >/dev/null || \
-	  { echo "meshgrade: not root and no sudo; run as root: apt-get install $(MISSING)" >&2; exit 1; }; fi; \
+	@root=; if [ "$$(id -u)" != 0 ]; then root=sudo; command -v sudo >/dev/null || { \
+	  echo "meshgrade: packages are missing, and this is neither root nor is there sudo; run as root:" >&2; \
+	  echo "  apt-get install --no-install-recommends $(MISSING)" >&2; exit 1; }; fi; \
+	echo "meshgrade: installing Debian packages: $(MISSING)" >&2; \
 	$$root apt-get update -q >/dev/null && \
-	DEBIAN_FRONTEND=noninteractive $$root apt-get install -y -q --no-install-recommends $(MISSING) >/dev/null
+	$$root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $(MISSING) >/dev/null
 	@mkdir -p build && touch $@
 endif
 endif
@@ -239,7 +241,7 @@ $(REPLAYS): $(BUILD)/tests/fuzz/%: $(BUILD)/tests/fuzz/%.o $(BUILD)/tests/fuzz/r
 	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ $(LDLIBS)
 replays: $(REPLAYS)
 
-deps: ## install the Debian packages that the build, the demo and the tests need
+deps: ## install the Debian packages that the build and the demo need
 	@echo "meshgrade: every package is installed"
 
 clean: ## remove build/
