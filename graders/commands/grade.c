@@ -38,7 +38,9 @@ static void show_progress(const struct classroom *classroom, const json_t *resul
 static const char **names_of(const struct exercise *exercises, int count)
 {
     const char **names = calloc((size_t)count + 1, sizeof *names);
-    for (int i = 0; names && i < count; i++)
+    if (!names)
+        return NULL;
+    for (int i = 0; i < count; i++)
         names[i] = exercises[i].name;
     return names;
 }
