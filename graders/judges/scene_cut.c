@@ -56,7 +56,8 @@ static int growth_init(struct growth *growth, const struct mesh *mesh, struct er
         growth->triangles)
         return 0;
     growth_release(growth);
-    return error_set(err, "out of memory for cutting a mesh of %zu triangles", triangles);
+    error_set(err, "out of memory for cutting a mesh of %zu triangles", triangles);
+    return -1;
 }
 
 /* Counting sort of the corners by vertex. first[] is used shifted by one while it fills. */

@@ -82,7 +82,7 @@ int gradebook_load(const char *out, struct gradebook *book, struct error *err)
     char **folders = document_list(path, "", err);
     json_t *all = json_array();
     int status = folders && all ? 0 : error_set(err, "out of memory for the results");
-    for (size_t i = 0; status == 0 && folders[i]; i++)
+    for (size_t i = 0; status == 0 && folders && folders[i]; i++)
         status = load_folder(out, folders[i], all, err);
     if (status == 0 && json_array_size(all) == 0)
         status = error_set(err, "%s holds no results; run `meshgrade grade PATH... -o %s` first",
@@ -183,7 +183,7 @@ int gradebook_from(json_t *results, struct gradebook *book, struct error *err)
     *book = (struct gradebook){.all = json_incref(results)};
     int status = collect(book, err);
     if (status == 0) {
-        book->cells = calloc(book->student_count * book->exercise_count + 1, sizeof *book->cells);
+        book->cells = calloc(book->student_count * book->exercise_count + 1, sizeof(json_t *));
         if (!book->cells)
             status = error_set(err, "out of memory for %zu students", book->student_count);
     }
