@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 struct request {
-    bool quick, json, all;
+    bool quick, json, all, times;
     const char *only_case, *language, *picture_folder;
 };
 
@@ -52,11 +52,23 @@ static void name_files(json_t *result, char **files, int count)
     }
 }
 
+static void print_times(const int64_t stage_cpu_ns[STAGE_COUNT])
+{
+    static const char *const names[STAGE_COUNT] = {"build", "cases", "undefined behaviour",
+                                                   "allocation failures", "growth, work, memory"};
+    for (int stage = 0; stage < STAGE_COUNT; stage++)
+        fprintf(stderr, "  %-22s %6.2f s of CPU\n", names[stage],
+                (double)stage_cpu_ns[stage] / 1e9);
+}
+
 static int check(const struct exercise *exercise, const struct upload *upload,
                  const struct request *request, struct outcome *outcome, struct error *err)
 {
-    struct trial_scope scope = {
-        .public_only = !request->all, .quick = request->quick, .only_case = request->only_case};
+    int64_t stage_cpu_ns[STAGE_COUNT] = {0};
+    struct trial_scope scope = {.stage_cpu_ns = stage_cpu_ns,
+                                .public_only = !request->all,
+                                .quick = request->quick,
+                                .only_case = request->only_case};
     struct submitter submitter = {upload->student, upload->student_folder};
     struct yardstick yardstick;
     if (upload->refusal.refused)
@@ -66,6 +78,8 @@ static int check(const struct exercise *exercise, const struct upload *upload,
     int result = yardstick_make(&yardstick, exercise, uncounted, err);
     if (result == 0)
         result = grade_submission(&yardstick, upload, &scope, outcome, err);
+    if (result == 0 && request->times)
+        print_times(stage_cpu_ns);
     yardstick_release(&yardstick);
     return result;
 }
@@ -117,6 +131,7 @@ static int run(int argc, char **argv)
         {"case", 0, "NAME", "only this case", &request.only_case, NULL},
         {"lang", 0, "en|es", "language of the report (default: by LANG)", &request.language, NULL},
         {"json", 0, NULL, "the result as JSON", NULL, &request.json},
+        {"times", 0, NULL, "the CPU time of each step, to stderr", NULL, &request.times},
         {0}};
     struct exercise *exercises = NULL;
     int count, code = EXIT_USAGE;

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 void check_say(struct check_result *check, enum verdict verdict, const char *cause,
                const char *english, const char *spanish, ...)
@@ -44,6 +45,28 @@ static void check_leak(struct trial *trial)
     }
 }
 
+/* CPU time of this process and all that it has reaped, boxes included. */
+static int64_t spent_ns(void)
+{
+    static const int whose[] = {RUSAGE_SELF, RUSAGE_CHILDREN};
+    int64_t spent = 0;
+    for (int i = 0; i < 2; i++) {
+        struct rusage usage;
+        getrusage(whose[i], &usage);
+        spent += (usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) * 1000000000LL +
+                 (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) * 1000LL;
+    }
+    return spent;
+}
+
+static void charge(const struct trial *trial, enum trial_stage stage, int64_t *since_ns)
+{
+    int64_t now = spent_ns();
+    if (trial->scope.stage_cpu_ns)
+        trial->scope.stage_cpu_ns[stage] += now - *since_ns;
+    *since_ns = now;
+}
+
 static void set_not_reached(struct trial *trial)
 {
     for (int check = 0; check < CHECK_COUNT; check++)
@@ -55,15 +78,21 @@ static void set_not_reached(struct trial *trial)
 static int run_checks(struct trial *trial, struct error *err)
 {
     const struct exercise *exercise = trial->yardstick->exercise;
+    int64_t since_ns = spent_ns();
     if (exercise->checked[CHECK_UNDEFINED_BEHAVIOUR] &&
         trial_check_undefined_behaviour(trial, err) != 0)
         return -1;
+    charge(trial, STAGE_UNDEFINED_BEHAVIOUR, &since_ns);
     if (!trial_basic_class_passed(trial))
         return 0;
     if (exercise->checked[CHECK_ALLOCATION_FAILURE] &&
         trial_check_allocation_failure(trial, err) != 0)
         return -1;
-    return exercise->checked[CHECK_GROWTH] ? trial_check_growth(trial, err) : 0;
+    charge(trial, STAGE_ALLOCATION_FAILURE, &since_ns);
+    if (exercise->checked[CHECK_GROWTH] && trial_check_growth(trial, err) != 0)
+        return -1;
+    charge(trial, STAGE_GROWTH, &since_ns);
+    return 0;
 }
 
 int trial_run(struct trial *trial, struct yardstick *yardstick, const char *student,
@@ -80,13 +109,16 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
     trial->cases = calloc(yardstick->judge->case_count, sizeof *trial->cases);
     if (!trial->cases)
         return error_set(err, "out of memory");
+    int64_t since_ns = spent_ns();
     if (build_submission(yardstick->exercise, sources, source_count, &trial->build, err) != 0)
         return -1;
+    charge(trial, STAGE_BUILD, &since_ns);
     trial->active_layers = trial->build.active_layers;
     if (trial->build.refusal.refused)
         return 0;
     if (trial_run_cases(trial, err) != 0)
         return -1;
+    charge(trial, STAGE_CASES, &since_ns);
     check_leak(trial);
     return scope->quick || scope->only_case ? 0 : run_checks(trial, err);
 }

@@ -26,11 +26,22 @@ struct family_result {
     struct growth_fit fit;
 };
 
+/* The steps of a trial, for the question where the time goes. */
+enum trial_stage {
+    STAGE_BUILD,
+    STAGE_CASES,
+    STAGE_UNDEFINED_BEHAVIOUR,
+    STAGE_ALLOCATION_FAILURE,
+    STAGE_GROWTH,
+    STAGE_COUNT
+};
+
 /* What to run. */
 struct trial_scope {
     bool public_only;      /* only cases that students see */
     bool quick;            /* only quick cases; no check but leak */
     const char *only_case; /* NULL: all */
+    int64_t *stage_cpu_ns; /* [STAGE_COUNT], gets the CPU time of each step; NULL: not wanted */
 };
 
 struct trial {
