@@ -52,7 +52,7 @@ ifneq ($(strip $(MISSING)),)
 include build/deps.mk
 build/deps.mk: force
 	@root=; if [ "$$(id -u)" != 0 ]; then root=sudo; command -v sudo >/dev/null || { \
-	  echo "meshgrade: packages are missing, and this is neither root nor is there sudo; run as root:" >&2; \
+	  echo "meshgrade: packages are missing and there is no sudo; as root, run:" >&2; \
 	  echo "  apt-get install --no-install-recommends $(MISSING)" >&2; exit 1; }; fi; \
 	echo "meshgrade: installing Debian packages: $(MISSING)" >&2; \
 	$$root apt-get update -q >/dev/null && \
