@@ -19,10 +19,10 @@
 #include <unistd.h>
 
 enum {
-    PICTURE_WIDTH = 880,
-    PICTURE_HEIGHT = 660,
-    CHART_WIDTH = 800,
-    CHART_HEIGHT = 600,
+    PICTURE_WIDTH = 720,
+    PICTURE_HEIGHT = 540,
+    CHART_WIDTH = 640,
+    CHART_HEIGHT = 480,
     SHEET_CELLS = 24,
     SHEET_COLUMNS = 3,
     USELESS_LIMIT = 2,
