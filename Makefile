@@ -80,7 +80,8 @@ LDLIBS := $(shell pkg-config --libs $(LIBRARIES) 2>/dev/null) -lm
 DEPENDENCIES = -MMD -MP
 
 # ---------------------------------------------------------------- the programs
-LIBRARY_SOURCES := $(wildcard reference/mesh/*.c reference/formats/*.c bench/measure/*.c graders/box/*.c \
+LIBRARY_SOURCES := $(wildcard reference/mesh/*.c reference/formats/*.c reference/representation/*.c \
+  reference/kernels/*.c bench/measure/*.c bench/compare/*.c graders/box/*.c \
   graders/engine/*.c graders/judges/*.c graders/judges/*/*.c graders/report/*.c) graders/runner/packet.c
 LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/judge-table.o
 JUDGES := $(patsubst %.c,%,$(notdir $(wildcard graders/judges/*/*.c)))
