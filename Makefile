@@ -83,7 +83,8 @@ DEPENDENCIES = -MMD -MP
 LIBRARY_SOURCES := $(wildcard reference/mesh/*.c reference/formats/*.c reference/representation/*.c \
   reference/kernels/*.c bench/measure/*.c bench/compare/*.c graders/box/*.c \
   graders/engine/*.c graders/judges/*.c graders/judges/*/*.c graders/report/*.c) graders/runner/packet.c
-LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/judge-table.o
+LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/judge-table.o \
+  $(BUILD)/representation-table.o
 JUDGES := $(patsubst %.c,%,$(notdir $(wildcard graders/judges/*/*.c)))
 CALLS := $(wildcard graders/runner/*/*.c)
 FLAVOURS := plain sanitized checked
@@ -116,6 +117,18 @@ $(BUILD)/judge-table.c: $(wildcard graders/judges/*) $(wildcard graders/judges/*
 	  for j in $(subst -,_,$(JUDGES)); do echo "extern const struct judge judge_$$j;"; done; \
 	  echo 'const struct judge *const judge_table[] = {'; \
 	  for j in $(subst -,_,$(JUDGES)); do echo "    &judge_$$j,"; done; \
+	  echo '    NULL};'; } >$@
+
+# The table of representations, by their .order, for reference/representation/representation.h.
+REPRESENTATION_SOURCES := $(wildcard reference/representation/*.c)
+$(BUILD)/representation-table.c: reference/representation $(REPRESENTATION_SOURCES) Makefile
+	@mkdir -p $(@D)
+	@names=$$(awk '/^const struct representation representation_/ {name = $$4} \
+	    /^    \.order = / {print $$3 + 0, name}' $(REPRESENTATION_SOURCES) | sort -n | cut -d' ' -f2); \
+	{ echo '#include "reference/representation/representation.h"'; \
+	  for r in $$names; do echo "extern const struct representation $$r;"; done; \
+	  echo 'const struct representation *const representation_table[] = {'; \
+	  for r in $$names; do echo "    &$$r,"; done; \
 	  echo '    NULL};'; } >$@
 
 # ---------------------------------------------------------------- the runner
@@ -229,8 +242,8 @@ build/fuzz/%: tests/fuzz/%.c $(LIBRARY_SOURCES)
 	@mkdir -p $(@D)
 	clang -std=c17 -D_GNU_SOURCE -I. -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $< $(FUZZ_SUPPORT) \
 	  $(filter reference/% bench/% graders/engine/% graders/judges/%.c graders/report/clean.c,$(LIBRARY_SOURCES)) \
-	  graders/runner/packet.c $(wildcard graders/box/*.c) $(BUILD)/judge-table.c -o $@ $(LDLIBS)
-fuzz: $(BUILD)/judge-table.c $(FUZZERS) ## fuzz every parser for TIME seconds each
+	  graders/runner/packet.c $(wildcard graders/box/*.c) $(BUILD)/judge-table.c $(BUILD)/representation-table.c -o $@ $(LDLIBS)
+fuzz: $(BUILD)/judge-table.c $(BUILD)/representation-table.c $(FUZZERS) ## fuzz every parser for TIME seconds each
 	@for f in $(FUZZERS); do name=$$(basename $$f); mkdir -p build/fuzz/corpus/$$name; \
 	  echo "== $$name"; $$f -max_total_time=$(TIME) -max_len=65536 -print_final_stats=0 build/fuzz/corpus/$$name \
 	  tests/fuzz/corpus/$${name#fuzz_} 2>&1 | tail -n 2; done
