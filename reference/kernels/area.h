@@ -1,0 +1,22 @@
+/* Area of a mesh (the course's problem 4.6): half the length of the cross product of two sides of
+ * each triangle, summed.
+ *
+ * Output   one double: the sum over all triangles
+ * Bound    every variant computes each triangle in binary64 from binary32 positions and adds in
+ *          binary64; the variants differ in the order of adding only. Two of them therefore differ
+ *          by at most 2^-52 triangle_count times the area, and in practice by some 1e-15 of it.
+ *          Each gives the same bits on every run; threads for one number of threads.
+ * Scratch  none but for threads
+ * Cost     one pass; moves 12 bytes a triangle and 12 a vertex */
+#ifndef REFERENCE_KERNELS_AREA_H
+#define REFERENCE_KERNELS_AREA_H
+
+#include "reference/kernels/kernel.h"
+
+size_t area_output_bytes(int64_t vertex_count, int64_t triangle_count);
+int64_t area_moved_bytes(int64_t vertex_count, int64_t triangle_count, int64_t record_count);
+
+/* The contract of kernel.h; returns 1. */
+int64_t area_plain(const struct mesh *mesh, void *scratch, void *output);
+
+#endif

@@ -1,0 +1,23 @@
+/* Edge table of a closed, coherently oriented mesh (the course's problem 4.5 b).
+ *
+ * Each edge is met twice, once as (i,j) and once as (j,i); keeping only the sides with i < j lists
+ * it once. No search and no memory beside the table.
+ *
+ * Output   pairs of int32_t (i, j), i < j, by triangle and then by side (0,1), (1,2), (2,0).
+ *          3/2 triangle_count of them; on a mesh that is not closed and coherent, just the sides
+ *          with i < j, at most 2 a triangle, which is what the capacity allows.
+ * Scratch  none
+ * Cost     one pass; moves 24 bytes a triangle
+ * Source   folklore of half-edge codes; the branch-free form and the vector ones are ours */
+#ifndef REFERENCE_KERNELS_EDGES_CLOSED_H
+#define REFERENCE_KERNELS_EDGES_CLOSED_H
+
+#include "reference/kernels/kernel.h"
+
+size_t edges_closed_output_bytes(int64_t vertex_count, int64_t triangle_count);
+int64_t edges_closed_moved_bytes(int64_t vertex_count, int64_t triangle_count, int64_t edge_count);
+
+/* The contract of kernel.h; returns the number of edges. */
+int64_t edges_closed_plain(const struct mesh *mesh, void *scratch, void *output);
+
+#endif

@@ -1,0 +1,60 @@
+/* The table of the kernels; see kernel.h. */
+#include "reference/kernels/kernel.h"
+
+#include "reference/kernels/area.h"
+#include "reference/kernels/edges_any.h"
+#include "reference/kernels/edges_closed.h"
+#include "reference/kernels/normals.h"
+#include "reference/kernels/twins.h"
+
+#include <sched.h>
+#include <string.h>
+
+static bool always(void)
+{
+    return true;
+}
+
+static size_t no_scratch(int64_t vertex_count, int64_t triangle_count)
+{
+    (void)vertex_count;
+    (void)triangle_count;
+    return 0;
+}
+
+const struct kernel kernel_table[] = {
+    {"edges-closed", "plain", "edge", true, always, no_scratch, edges_closed_output_bytes,
+     edges_closed_moved_bytes, edges_closed_plain},
+    {"edges-any", "plain", "edge", false, always, edges_any_scratch_bytes, edges_any_output_bytes,
+     edges_any_moved_bytes, edges_any_plain},
+    {"twins", "plain", "side", false, always, twins_scratch_bytes, twins_output_bytes,
+     twins_moved_bytes, twins_plain},
+    {"area", "plain", "area", false, always, no_scratch, area_output_bytes, area_moved_bytes,
+     area_plain},
+    {"face-normals", "plain", "normal", false, always, no_scratch, face_normals_output_bytes,
+     face_normals_moved_bytes, face_normals_plain},
+    {"vertex-normals", "plain", "normal", false, always, vertex_normals_scratch_bytes,
+     vertex_normals_output_bytes, vertex_normals_moved_bytes, vertex_normals_plain},
+    {0},
+};
+
+const struct kernel *kernel_find(const char *name, const char *variant)
+{
+    const struct kernel *best = NULL;
+    for (const struct kernel *k = kernel_table; k->name; k++) {
+        if (strcmp(k->name, name) != 0 || !k->available())
+            continue;
+        if (variant ? strcmp(k->variant, variant) == 0 : strcmp(k->variant, "threads") != 0)
+            best = k;
+    }
+    return best;
+}
+
+int kernel_thread_count(void)
+{
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) != 0)
+        return 1;
+    int count = CPU_COUNT(&set);
+    return count < KERNEL_MOST_THREADS ? count : KERNEL_MOST_THREADS;
+}

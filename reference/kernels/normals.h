@@ -1,0 +1,29 @@
+/* Normals of a mesh, of length 1, pointing to where the triangle is seen counter-clockwise.
+ *
+ * face-normals     Output: 3 floats for each triangle, (b - a) x (c - a) made of length 1, computed
+ *                  in binary64 and rounded once. A triangle without area has (0, 0, 0).
+ * vertex-normals   Output: 3 floats for each vertex: the sum of (b - a) x (c - a), in binary32 and
+ * in the order of the triangles, over the triangles at the vertex - each so counts by its area -
+ * made of length 1. A vertex where the sum is 0 has (0, 0, 0). Cost             one pass over the
+ * triangles, one more over the vertices */
+#ifndef REFERENCE_KERNELS_NORMALS_H
+#define REFERENCE_KERNELS_NORMALS_H
+
+#include "reference/kernels/kernel.h"
+
+size_t face_normals_output_bytes(int64_t vertex_count, int64_t triangle_count);
+int64_t face_normals_moved_bytes(int64_t vertex_count, int64_t triangle_count,
+                                 int64_t normal_count);
+
+/* The contract of kernel.h; returns the number of triangles. */
+int64_t face_normals_plain(const struct mesh *mesh, void *scratch, void *output);
+
+size_t vertex_normals_scratch_bytes(int64_t vertex_count, int64_t triangle_count);
+size_t vertex_normals_output_bytes(int64_t vertex_count, int64_t triangle_count);
+int64_t vertex_normals_moved_bytes(int64_t vertex_count, int64_t triangle_count,
+                                   int64_t normal_count);
+
+/* The contract of kernel.h; returns the number of vertices. */
+int64_t vertex_normals_plain(const struct mesh *mesh, void *scratch, void *output);
+
+#endif

@@ -1,0 +1,29 @@
+/* Twins of the half edges of a mesh.
+ *
+ * Side 3t + k of triangle t runs from its corner k to the next one: it is the half edge of that
+ * triangle. Its twin is the side that runs the other way along the same edge.
+ *
+ * Output   int32_t for each side, 3 * triangle_count of them. For a side from i to j:
+ *            the twin           where it is the only side from i to j and just one runs from j to i
+ *            TWIN_NONE (-1)     where none runs from j to i: a boundary, or a neighbour that is
+ *                               oriented incoherently
+ *            TWIN_MANY (-2)     where one of the two directions has several sides: the edge is not
+ *                               manifold or the triangles there are incoherent
+ *          So twin[twin[s]] == s wherever twin[s] >= 0, and the answer depends on no order. A side
+ *          that joins a vertex to itself has TWIN_NONE.
+ * Cost     linear in vertices and triangles, whatever the valences and the numbering */
+#ifndef REFERENCE_KERNELS_TWINS_H
+#define REFERENCE_KERNELS_TWINS_H
+
+#include "reference/kernels/kernel.h"
+
+enum { TWIN_NONE = -1, TWIN_MANY = -2 };
+
+size_t twins_scratch_bytes(int64_t vertex_count, int64_t triangle_count);
+size_t twins_output_bytes(int64_t vertex_count, int64_t triangle_count);
+int64_t twins_moved_bytes(int64_t vertex_count, int64_t triangle_count, int64_t side_count);
+
+/* The contract of kernel.h; returns the number of sides. */
+int64_t twins_plain(const struct mesh *mesh, void *scratch, void *output);
+
+#endif

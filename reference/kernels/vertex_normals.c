@@ -1,0 +1,60 @@
+/* A normal for each vertex, weighted by area; see normals.h. */
+#include "reference/kernels/normals.h"
+
+#include <math.h>
+#include <string.h>
+
+size_t vertex_normals_scratch_bytes(int64_t vertex_count, int64_t triangle_count)
+{
+    (void)triangle_count;
+    return 16 * (size_t)vertex_count + 64;
+}
+
+size_t vertex_normals_output_bytes(int64_t vertex_count, int64_t triangle_count)
+{
+    (void)triangle_count;
+    return 12 * (size_t)vertex_count + 64;
+}
+
+int64_t vertex_normals_moved_bytes(int64_t vertex_count, int64_t triangle_count,
+                                   int64_t normal_count)
+{
+    return 12 * triangle_count + 12 * vertex_count + 12 * normal_count;
+}
+
+/* Sums stand four floats apart, so that a vector variant adds one in one step. */
+static void add_triangle(const float *p, const int32_t t[3], float *sums)
+{
+    const float *a = p + 3 * (size_t)t[0], *b = p + 3 * (size_t)t[1], *c = p + 3 * (size_t)t[2];
+    float ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
+    float vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
+    float x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+    for (int corner = 0; corner < 3; corner++) {
+        float *sum = sums + 4 * (size_t)t[corner];
+        sum[0] += x;
+        sum[1] += y;
+        sum[2] += z;
+    }
+}
+
+static void write_unit(const float *sum, float *normal)
+{
+    double x = (double)sum[0], y = (double)sum[1], z = (double)sum[2];
+    double squared = x * x + y * y + z * z;
+    double scale = squared > 0 ? 1 / sqrt(squared) : 0;
+    normal[0] = (float)(x * scale);
+    normal[1] = (float)(y * scale);
+    normal[2] = (float)(z * scale);
+}
+
+int64_t vertex_normals_plain(const struct mesh *mesh, void *scratch, void *output)
+{
+    float *sums = scratch, *normals = output;
+    memset(sums, 0, 16 * (size_t)mesh->vertex_count);
+    const int32_t *t = mesh->triangles;
+    for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3)
+        add_triangle(mesh->positions, t, sums);
+    for (size_t v = 0; v < (size_t)mesh->vertex_count; v++)
+        write_unit(sums + 4 * v, normals + 3 * v);
+    return mesh->vertex_count;
+}
