@@ -4,7 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { TIME_LIMITS_TO_STOP = 2 };
+enum {
+    TIME_LIMITS_TO_STOP = 2,
+    CONFIRMING_MULTIPLE = 3 /* what the repeated run of a case may take, in limits */
+};
 static const int64_t IDLE_LIMIT_NS = 2000000000;
 
 bool trial_case_in_scope(const struct judge_case *c, const struct trial_scope *scope)
@@ -19,22 +22,33 @@ static bool is_time_limit(enum verdict verdict)
     return verdict == VERDICT_CPU_TIME || verdict == VERDICT_IDLE_TIME;
 }
 
-/* A limit of time counts only when it is broken again in a fresh process. */
-static int run_case(struct trial *trial, size_t index, bool confirm, struct attempt *attempt,
+/* One run of a case with `multiple` times its limit of CPU time. */
+static int run_once(struct trial *trial, size_t index, const struct input *input, int multiple,
+                    struct attempt *attempt, struct error *err)
+{
+    struct call_limits limits = {multiple * yardstick_cpu_limit_ns(trial->yardstick, index),
+                                 IDLE_LIMIT_NS};
+    return attempt_run(trial->yardstick, &trial->build, input, &limits, MODE_PLAIN, 0, attempt,
+                       err);
+}
+
+/* A limit of time counts only when a fresh process breaks it again, with a multiple of the time: a
+ * slow but finite answer near the limit would otherwise get its verdict from the noise of the
+ * machine. After the first limit that counts (`patient`) the short run is left out. */
+static int run_case(struct trial *trial, size_t index, bool patient, struct attempt *attempt,
                     struct error *err)
 {
     const struct input *input;
     if (yardstick_case(trial->yardstick, index, &input, err) != 0)
         return -1;
-    struct call_limits limits = {yardstick_cpu_limit_ns(trial->yardstick, index), IDLE_LIMIT_NS};
-    if (attempt_run(trial->yardstick, &trial->build, input, &limits, MODE_PLAIN, 0, attempt, err) !=
-        0)
-        return -1;
-    if (!confirm || !is_time_limit(attempt->verdict))
-        return 0;
-    attempt_release(attempt);
-    return attempt_run(trial->yardstick, &trial->build, input, &limits, MODE_PLAIN, 0, attempt,
-                       err);
+    if (!patient) {
+        if (run_once(trial, index, input, 1, attempt, err) != 0)
+            return -1;
+        if (!is_time_limit(attempt->verdict))
+            return 0;
+        attempt_release(attempt);
+    }
+    return run_once(trial, index, input, CONFIRMING_MULTIPLE, attempt, err);
 }
 
 static void remember_surroundings(struct trial *trial, const struct attempt *attempt)
@@ -60,7 +74,7 @@ int trial_run_cases(struct trial *trial, struct error *err)
                         "No se ejecutó: %d casos anteriores no terminaron a tiempo.", time_limits);
             continue;
         }
-        if (run_case(trial, i, time_limits == 0, attempt, err) != 0)
+        if (run_case(trial, i, time_limits > 0, attempt, err) != 0)
             return -1;
         time_limits += is_time_limit(attempt->verdict);
         remember_surroundings(trial, attempt);
