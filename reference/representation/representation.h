@@ -12,10 +12,10 @@
  * `self` is always the representation's own struct (struct half_edge), as its header shows it,
  * which `build` has filled. No function but `build` and `transform`, `smooth` changes it.
  *
- * Numbers. A representation numbers its faces from 0 to face_count - 1 and its vertices from 0 to
- * vertex_count - 1; to_mesh keeps both numberings. Only where no vertex is shared (vertex_names is
- * not NULL) one vertex of to_mesh's mesh has several numbers here: arguments may be any of them,
- * answers are the lowest.
+ * Faces are numbered from 0 to face_count - 1 and vertices from 0 to vertex_count - 1; to_mesh
+ * keeps both numberings. Only where vertices are not shared (vertex_names is not NULL) one vertex
+ * of to_mesh's mesh has several numbers here: arguments may be any of them, answers are the lowest
+ * (but face_vertices gives the face's own).
  *
  * An edge is a pair of different vertices that follow each other in a face; a side is an
  * edge as one face runs through it. A degenerate face (two corners the same vertex) has no sides. A
@@ -34,9 +34,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What a mesh may have and a representation may be unable to hold; `build` refuses a mesh that has
- * what is not in `holds`, and names the first element. Duplicate triangles count as what they make
- * of their edges. */
+/* What a mesh may have and a representation may be unable to hold: `build` refuses what is not in
+ * `holds`. Duplicate triangles count as what they make of their edges. */
 enum mesh_feature {
     FEATURE_BOUNDARY = 1,            /* an edge with one side */
     FEATURE_ISOLATED_VERTEX = 2,     /* in no triangle */
