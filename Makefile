@@ -32,7 +32,7 @@ LINT_PACKAGES := clang-format clang-tidy cppcheck
 FUZZ_PACKAGES := clang libclang-rt-14-dev
 
 PACKAGES := $(CORE_PACKAGES) $(PICTURE_PACKAGES) $(DEMO_PACKAGES)
-ifneq ($(filter test unit,$(MAKECMDGOALS)),)
+ifneq ($(filter test unit stability,$(MAKECMDGOALS)),)
 PACKAGES += $(TEST_PACKAGES)
 endif
 ifneq ($(filter lint format,$(MAKECMDGOALS)),)
@@ -216,8 +216,9 @@ bench-grader: all ## what a verdict costs, and where the time goes
 	@tests/bench-grader.sh
 
 RUNS ?= 5
-stability: all ## grade the demo class RUNS times under load and other surroundings; counts what differs
-	@tests/stability.sh $(RUNS)
+CLASS ?= known
+stability: all ## grade CLASS (known, demo) RUNS times in different surroundings; counts what differs
+	@tests/stability.sh $(RUNS) $(CLASS)
 
 # ---------------------------------------------------------------- source checks
 C_FILES = $(shell git ls-files '*.c' '*.h' 2>/dev/null | grep -v '^tests/submissions/')

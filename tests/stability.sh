@@ -1,48 +1,94 @@
 #!/bin/bash
-# Grades the demo class RUNS times: idle, with both cores busy, with a larger environment, from other
-# folders. Reports results that differ (marks, verdicts, counts: every byte of the result files).
+# Grades one class RUNS times in different surroundings and counts what differs: marks (verdict,
+# cause, score, every case and its message) and counts (every number measured).
 #
-#   tests/stability.sh RUNS [CLASS]     CLASS: the folder of uploads (default: the demo class)
+#   tests/stability.sh RUNS [CLASS]
+#
+# CLASS: "known" (three students made of known-verdict submissions of every kind), "demo" (the
+# class of `make demo`), or a folder of uploads. Surroundings, in turn: quiet, 2 and 4 busy
+# processes, a larger environment, a deep folder, a plain user (when root), one core, the other core.
 set -eu
-runs=$1
+runs=$1 class=${2:-known}
 cd "$(dirname "$0")/.."
 root=$PWD
 work=$(mktemp -d)
+chmod 755 "$work"
 busy=()
-cleanup() {
-    for pid in "${busy[@]}"; do kill "$pid" 2>/dev/null || true; done
-    rm -rf "$work"
-}
-trap cleanup EXIT
-class=${2:-}
-if [ -z "$class" ]; then
-    class=$work/class
-    tests/demo-class.sh "$class"
-fi
-
-grade() { # run number
-    local run=$1 folder=$work/run$1 extra=()
-    mkdir -p "$folder/deeper/and/deeper"
-    case $((run % 4)) in
-    1) for _ in 1 2 3 4; do (while :; do :; done) & busy+=($!); done ;;
-    2) extra=(env "PADDING=$(head -c 5000 /dev/zero | tr '\0' x)") ;;
-    3) folder=$folder/deeper/and/deeper ;;
-    esac
-    (cd "$folder" && "${extra[@]}" "$root/build/meshgrade" grade "$class"/* -o "$folder/out" --no-pictures >/dev/null 2>"$folder/log") || [ $? -le 1 ] || cat "$folder/log"
+stop_busy() {
     for pid in "${busy[@]}"; do kill "$pid" 2>/dev/null || true; done
     busy=()
-    (cd "$folder/out/results" && find . -name '*.json' | LC_ALL=C sort | xargs -d '\n' sha256sum) >"$work/sums$run"
+}
+trap 'stop_busy; rm -rf "$work"' EXIT
+
+# One student a row of kinds; exercise by exercise the next kind of the row, where it has one.
+make_known_class() { # folder
+    local kinds exercise file index student=0
+    for kinds in "right right right" "slow greedy wrong" "leak crash wrong"; do
+        student=$((student + 1)) index=0
+        read -ra kinds <<<"$kinds"
+        mkdir -p "$1/student-$student"
+        for exercise in tests/submissions/*/*/; do
+            file=$(find "$exercise${kinds[index % 3]}" "${exercise}wrong" -name '*.c' 2>/dev/null | LC_ALL=C sort | head -n 1)
+            cp "$file" "$1/student-$student/$(basename "$exercise").c"
+            index=$((index + 1))
+        done
+    done
 }
 
-differing=0
+case $class in
+known) make_known_class "$work/class" ;;
+demo) tests/demo-class.sh "$work/class" ;;
+*) cp -r "$class" "$work/class" ;;
+esac
+chmod -R a+rX "$work/class"
+
+start_busy() { # how many
+    local i
+    for ((i = 0; i < $1; i++)); do
+        (while :; do :; done) &
+        busy+=($!)
+    done
+}
+
+# Prepares the surroundings of a run: sets `folder`, `with` (a prefix of the command), `where`.
+surround() { # run number
+    with=() folder=$work/run$1
+    local last=$(($(nproc) - 1))
+    case $(($1 % 8)) in
+    0) where="quiet" ;;
+    1) where="2 busy processes" && start_busy 2 ;;
+    2) where="4 busy processes" && start_busy 4 ;;
+    3) where="larger environment" && with=(env "PADDING=$(head -c 5000 /dev/zero | tr '\0' x)") ;;
+    4) where="deep folder" && folder=$folder/deeper/and/deeper/and/deeper ;;
+    5) if [ "$(id -u)" = 0 ]; then
+        where="plain user" with=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+    else
+        where="plain user (as always)"
+    fi ;;
+    6) where="core 0" && with=(taskset -c 0) ;;
+    7) where="core $last, bare environment" && with=(taskset -c "$last" env -i "PATH=$PATH") ;;
+    esac
+    mkdir -p "$folder"
+    [ "$where" != "plain user" ] || chown -R 65534:65534 "$work/run$1"
+}
+
+marks=0 counts=0
 for ((run = 0; run < runs; run++)); do
-    grade "$run"
+    surround "$run"
+    (cd "$folder" && "${with[@]}" "$root/build/meshgrade" grade "$work"/class/* -o "$folder/out" \
+        --no-pictures >/dev/null 2>"$work/log") || [ $? -le 1 ] || cat "$work/log"
+    stop_busy
+    python3 tests/stability_facts.py "$folder/out/results" "$work/marks$run" "$work/counts$run"
+    rm -rf "${work:?}/run$run"
     if [ "$run" -gt 0 ]; then
-        differ=$(diff "$work/sums0" "$work/sums$run" | grep -c '^>' || true)
-        differing=$((differing + differ))
-        echo "run $run: $(wc -l <"$work/sums$run") results, $differ differ from run 0"
-        [ "$differ" -eq 0 ] || diff "$work/sums0" "$work/sums$run" | grep '^>' | head -n 5
+        m=$(diff "$work/marks0" "$work/marks$run" | grep -c '^[<>]' || true)
+        c=$(diff "$work/counts0" "$work/counts$run" | grep -c '^[<>]' || true)
+        marks=$((marks + m)) counts=$((counts + c))
+        [ $((m + c)) -eq 0 ] || diff "$work/marks0" "$work/marks$run" | head -n 5 || true
+        [ $((m + c)) -eq 0 ] || diff "$work/counts0" "$work/counts$run" | head -n 5 || true
     fi
+    printf 'run %3d of %d  %-30s %s results  %d marks and %d counts differ so far\n' \
+        $((run + 1)) "$runs" "$where" "$(wc -l <"$work/marks$run")" "$marks" "$counts"
 done
-echo "$runs runs, $differing results differ"
-[ "$differing" -eq 0 ]
+echo "$runs runs: $marks differing marks, $counts differing counts"
+[ $((marks + counts)) -eq 0 ]

@@ -18,7 +18,7 @@
 
 enum {
     CPU_SECONDS = 15,
-    WALL_MS = 60000,
+    WALL_MS = 300000, /* a compiler waits for nothing but the machine: beyond it, a fault */
     FILE_LIMIT_BYTES = 16 << 20,
     MEMORY_LIMIT_BYTES = 1 << 30,
     STATIC_LIMIT_BYTES = 16 << 20,
@@ -193,13 +193,15 @@ static int judge_outcome(struct build *build, const struct box_outcome *outcome,
         return 0;
     if (outcome->end == BOX_ENDED_LOST)
         return error_set(err, "build box: its own process vanished");
+    if (outcome->end == BOX_ENDED_KILLED)
+        return error_set(err, "build box: not done after %d s; the machine is overloaded",
+                         WALL_MS / 1000);
     if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == 127)
         return error_set(err, "build box: gcc, ld or objcopy is missing; run make deps");
     if (outcome->end == BOX_ENDED_MEMORY)
         refuse(refusal, "compiler-memory", "The compiler needed more than %d GB of memory.",
                "El compilador necesitó más de %d GB de memoria.", MEMORY_LIMIT_BYTES >> 30);
-    else if (outcome->end == BOX_ENDED_CPU || outcome->end == BOX_ENDED_KILLED ||
-             outcome->cpu_ns > (CPU_SECONDS - 1) * 1000000000LL)
+    else if (outcome->end == BOX_ENDED_CPU || outcome->cpu_ns > (CPU_SECONDS - 1) * 1000000000LL)
         refuse(refusal, "compiler-time", "The compiler did not end within %d seconds.",
                "El compilador no terminó en %d segundos.", CPU_SECONDS);
     else if (outcome->end == BOX_ENDED_OUTPUT ||
