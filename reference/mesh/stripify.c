@@ -130,20 +130,40 @@ static int stripper_init(struct stripper *s, const struct mesh *mesh, struct err
     return -1;
 }
 
-int strips_from_mesh(struct strips *strips, const struct mesh *mesh, struct error *err)
+int strip_numbers_from_mesh(struct strip_numbers *strips, const struct mesh *mesh,
+                            struct error *err)
 {
-    *strips = (struct strips){0};
+    *strips = (struct strip_numbers){0};
     struct stripper s;
     if (stripper_init(&s, mesh, err))
         return -1;
     for (int32_t t = 0; t < mesh->triangle_count; t++)
         if (!s.is_used[t])
             add_strip(&s, t);
-    int result = strips_init(strips, s.strip_count, s.lengths, err);
-    if (result == 0)
-        for (int64_t i = 0; i < s.index_count; i++)
-            memcpy(strips->positions + 3 * i, mesh->positions + 3 * (int64_t)s.indices[i],
-                   3 * sizeof(float));
+    *strips = (struct strip_numbers){s.indices, s.lengths, s.index_count, s.strip_count};
+    s.indices = s.lengths = NULL;
     stripper_release(&s);
+    return 0;
+}
+
+void strip_numbers_release(struct strip_numbers *strips)
+{
+    free(strips->indices);
+    free(strips->lengths);
+    *strips = (struct strip_numbers){0};
+}
+
+int strips_from_mesh(struct strips *strips, const struct mesh *mesh, struct error *err)
+{
+    *strips = (struct strips){0};
+    struct strip_numbers numbers;
+    if (strip_numbers_from_mesh(&numbers, mesh, err))
+        return -1;
+    int result = strips_init(strips, numbers.strip_count, numbers.lengths, err);
+    if (result == 0)
+        for (int64_t i = 0; i < numbers.index_count; i++)
+            memcpy(strips->positions + 3 * i, mesh->positions + 3 * (int64_t)numbers.indices[i],
+                   3 * sizeof(float));
+    strip_numbers_release(&numbers);
     return result;
 }

@@ -51,4 +51,17 @@ int strips_to_mesh(struct mesh *mesh, const struct strips *strips, struct error 
  * cost     linear */
 int strips_from_mesh(struct strips *strips, const struct mesh *mesh, struct error *err) MUST_CHECK;
 
+/* Strips of vertex numbers instead of positions, one after another. */
+struct strip_numbers {
+    int32_t *indices; /* index_count vertices */
+    int32_t *lengths; /* strip_count lengths of at least 3 */
+    int64_t index_count;
+    int32_t strip_count;
+};
+
+/* The same cut as numbers; the caller owns them. Returns 0, or -1 and *err. */
+int strip_numbers_from_mesh(struct strip_numbers *strips, const struct mesh *mesh,
+                            struct error *err) MUST_CHECK;
+void strip_numbers_release(struct strip_numbers *strips);
+
 #endif

@@ -127,7 +127,7 @@ static void one_has_vertices(struct trial *trial)
     size_t room = (size_t)trial->back.triangle_count + (size_t)trial->number_count + 1;
     struct answer answer = {malloc(room * sizeof(int32_t)), malloc(room * sizeof(int32_t)), 0};
     require(answer.numbers && answer.truth, "there is memory");
-    int32_t step = trial->number_count > 200 ? 7 : 1;
+    int32_t step = 1 + trial->number_count / 30;
     for (int32_t v = 0; v < trial->number_count; v += step) {
         require_faces_around(trial, v, &answer);
         require_vertices_around(trial, v, &answer);
