@@ -1,11 +1,12 @@
-/* Rows of larger neighbours, by counting; see edges_any.h. */
+/* Rows of larger neighbours, filled without search; see edges_any.h. */
 #include "reference/kernels/edges_any.h"
 
-#include <string.h>
+#include "reference/kernels/neighbour_rows.h"
+#include "reference/kernels/order.h"
 
 size_t edges_any_scratch_bytes(int64_t vertex_count, int64_t triangle_count)
 {
-    return 8 * (size_t)vertex_count + 12 * (size_t)triangle_count + 64;
+    return neighbour_rows_bytes(vertex_count, triangle_count);
 }
 
 size_t edges_any_output_bytes(int64_t vertex_count, int64_t triangle_count)
@@ -25,7 +26,7 @@ struct sorted {
     int32_t low, middle, high;
 };
 
-static struct sorted sort_corners(const int32_t t[3])
+static inline struct sorted sort_corners(const int32_t t[3])
 {
     int32_t less = t[0] < t[1] ? t[0] : t[1], more = t[0] < t[1] ? t[1] : t[0];
     int32_t rest = less < t[2] ? t[2] : less;
@@ -33,44 +34,43 @@ static struct sorted sort_corners(const int32_t t[3])
                            rest < more ? more : rest};
 }
 
-static void fill_rows(const struct mesh *mesh, int32_t *end, int32_t *entry)
+static void fill_rows(const struct mesh *mesh, struct neighbour_rows *rows)
 {
-    const int32_t *stop = mesh->triangles + 3 * (size_t)mesh->triangle_count;
-    for (const int32_t *t = mesh->triangles; t < stop; t += 3) {
+    const int32_t *t = mesh->triangles;
+    for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3) {
         struct sorted s = sort_corners(t);
-        end[s.low] += 2;
-        end[s.middle]++;
+        neighbour_rows_add(rows, s.low, s.middle, s.high);
     }
-    int32_t total = 0;
-    for (int32_t v = 0; v < mesh->vertex_count; v++) {
-        int32_t count = end[v];
-        end[v] = total;
-        total += count;
+}
+
+static void fill_scattered_rows(const struct mesh *mesh, struct neighbour_rows *rows)
+{
+    enum { AHEAD = 16 };
+    const int32_t *t = mesh->triangles;
+    int32_t left = mesh->triangle_count;
+    for (; left > AHEAD; left--, t += 3) {
+        struct sorted next = sort_corners(t + 3 * AHEAD), s = sort_corners(t);
+        neighbour_rows_prefetch(rows, next.low);
+        neighbour_rows_prefetch(rows, next.middle);
+        neighbour_rows_add(rows, s.low, s.middle, s.high);
     }
-    for (const int32_t *t = mesh->triangles; t < stop; t += 3) {
-        struct sorted s = sort_corners(t);
-        entry[end[s.low]++] = s.middle;
-        entry[end[s.low]++] = s.high;
-        entry[end[s.middle]++] = s.high;
-    }
+    const struct mesh rest = {NULL, mesh->triangles + (t - mesh->triangles), 0, left};
+    fill_rows(&rest, rows);
+}
+
+void edges_any_fill_rows(const struct mesh *mesh, struct neighbour_rows *rows)
+{
+    if (mesh_is_scattered(mesh))
+        fill_scattered_rows(mesh, rows);
+    else
+        fill_rows(mesh, rows);
+    neighbour_rows_sort_overflow(rows);
 }
 
 int64_t edges_any_plain(const struct mesh *mesh, void *scratch, void *output)
 {
-    int32_t *end = scratch, *met_in = end + mesh->vertex_count;
-    int32_t *entry = met_in + mesh->vertex_count, *edges = output;
-    memset(end, 0, (size_t)mesh->vertex_count * sizeof *end);
-    memset(met_in, -1, (size_t)mesh->vertex_count * sizeof *met_in);
-    fill_rows(mesh, end, entry);
-    int64_t count = 0;
-    int32_t k = 0;
-    for (int32_t v = 0; v < mesh->vertex_count; v++)
-        for (; k < end[v]; k++) {
-            int32_t other = entry[k];
-            edges[2 * count] = v;
-            edges[2 * count + 1] = other;
-            count += other != v && met_in[other] != v;
-            met_in[other] = v;
-        }
-    return count;
+    struct neighbour_rows rows = neighbour_rows_begin(scratch, mesh);
+    edges_any_fill_rows(mesh, &rows);
+    const int32_t *end = neighbour_rows_put_edges(&rows, output);
+    return (end - (int32_t *)output) / 2;
 }

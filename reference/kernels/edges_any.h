@@ -15,5 +15,13 @@ int64_t edges_any_moved_bytes(int64_t vertex_count, int64_t triangle_count, int6
 
 /* The contract of kernel.h; returns the number of edges. */
 int64_t edges_any_plain(const struct mesh *mesh, void *scratch, void *output);
+#if defined(__x86_64__)
+int64_t edges_any_avx2(const struct mesh *mesh, void *scratch, void *output);
+int64_t edges_any_avx512(const struct mesh *mesh, void *scratch, void *output);
+#endif
+
+/* The first half of every variant: the rows of all triangles, overflow sorted. */
+struct neighbour_rows;
+void edges_any_fill_rows(const struct mesh *mesh, struct neighbour_rows *rows);
 
 #endif

@@ -19,5 +19,9 @@ int64_t edges_closed_moved_bytes(int64_t vertex_count, int64_t triangle_count, i
 
 /* The contract of kernel.h; returns the number of edges. */
 int64_t edges_closed_plain(const struct mesh *mesh, void *scratch, void *output);
+#if defined(__x86_64__)
+int64_t edges_closed_avx2(const struct mesh *mesh, void *scratch, void *output);
+int64_t edges_closed_avx512(const struct mesh *mesh, void *scratch, void *output);
+#endif
 
 #endif

@@ -6,6 +6,7 @@
 #include "reference/kernels/edges_closed.h"
 #include "reference/kernels/normals.h"
 #include "reference/kernels/twins.h"
+#include "reference/kernels/x86.h"
 
 #include <sched.h>
 #include <string.h>
@@ -25,8 +26,18 @@ static size_t no_scratch(int64_t vertex_count, int64_t triangle_count)
 const struct kernel kernel_table[] = {
     {"edges-closed", "plain", "edge", true, always, no_scratch, edges_closed_output_bytes,
      edges_closed_moved_bytes, edges_closed_plain},
+#if defined(__x86_64__)
+    {"edges-closed", "avx2", "edge", true, cpu_has_avx2, no_scratch, edges_closed_output_bytes,
+     edges_closed_moved_bytes, edges_closed_avx2},
+    {"edges-closed", "avx512", "edge", true, cpu_has_avx512, no_scratch, edges_closed_output_bytes,
+     edges_closed_moved_bytes, edges_closed_avx512},
+#endif
     {"edges-any", "plain", "edge", false, always, edges_any_scratch_bytes, edges_any_output_bytes,
      edges_any_moved_bytes, edges_any_plain},
+#if defined(__x86_64__)
+    {"edges-any", "avx512", "edge", false, cpu_has_avx512, edges_any_scratch_bytes,
+     edges_any_output_bytes, edges_any_moved_bytes, edges_any_avx512},
+#endif
     {"twins", "plain", "side", false, always, twins_scratch_bytes, twins_output_bytes,
      twins_moved_bytes, twins_plain},
     {"area", "plain", "area", false, always, no_scratch, area_output_bytes, area_moved_bytes,

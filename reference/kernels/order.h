@@ -1,0 +1,15 @@
+/* Whether a mesh lists its triangles so that neighbours in the table are neighbours on the surface.
+ */
+#ifndef REFERENCE_KERNELS_ORDER_H
+#define REFERENCE_KERNELS_ORDER_H
+
+#include "reference/mesh/mesh.h"
+
+#include <stdbool.h>
+
+/* Looks at a few hundred places of the triangle table. True means that tables of some 16 bytes a
+ * vertex outgrow a core's cache and that triangles in a row name vertices from all over them, so
+ * that kernels do well to prefetch. It is only about speed: no output depends on it. */
+bool mesh_is_scattered(const struct mesh *mesh);
+
+#endif
