@@ -131,6 +131,14 @@ $(BUILD)/representation-table.c: reference/representation $(REPRESENTATION_SOURC
 	  for r in $$names; do echo "    &$$r,"; done; \
 	  echo '    NULL};'; } >$@
 
+# ---------------------------------------------------------------- the benchmark
+# Preloaded into what `meshgrade bench --counts` counts allocations of.
+all: $(BUILD)/bench-allocations.so
+$(BUILD)/bench-allocations.so: bench/preload/allocations.c
+	@mkdir -p $(@D)
+	$(call SHOW,CC  $<)$(CC) -std=c17 -D_GNU_SOURCE -I. -O2 -g -fPIC -shared $(WARNINGS) $(DEPENDENCIES) $< -o $@
+$(BUILD)/bench/measure/machine.o: CFLAGS += -DBUILD_FLAGS='"$(MODE)"'
+
 # ---------------------------------------------------------------- the runner
 # One relocatable object an exercise, with every name local but main and the allocation shim, so that
 # a submission can neither call into it nor replace parts of it. Always optimised: it is the same in

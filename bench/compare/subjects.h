@@ -1,0 +1,20 @@
+/* What of ours can be measured, as workers (worker.h):
+ *
+ *     representation/NAME     one of representation_table, with its operations
+ *     kernels/VARIANT         all kernels in that variant; VARIANT "fastest": the best on one
+ * thread reader                  our readers of mesh files
+ */
+#ifndef BENCH_COMPARE_SUBJECTS_H
+#define BENCH_COMPARE_SUBJECTS_H
+
+#include "reference/mesh/error.h"
+
+#include <stdio.h>
+
+/* Serves as the worker of that name on a mesh snapshot until the end of `in`; says `refused` on
+ * `out` when the subject cannot hold the mesh. Returns 0, or -1 and *err: no such subject, no such
+ * file, a line that is not understood. */
+int subject_serve(const char *name, const char *snapshot_path, FILE *in, FILE *out,
+                  struct error *err) MUST_CHECK;
+
+#endif

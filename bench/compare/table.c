@@ -1,0 +1,340 @@
+/* bench.json as tables to read; see table.h. */
+#include "bench/compare/table.h"
+
+#include <string.h>
+
+enum { NUMBER = 24, NAME_WIDTH = 24 };
+
+struct table {
+    FILE *to;
+    bool bold;
+    bool has_noisy, has_refused, has_different; /* what the closing lines must explain */
+};
+
+/* ---- numbers ---- */
+
+static double number(const json_t *object, const char *key)
+{
+    return json_number_value(json_object_get(object, key));
+}
+
+static const char *text(const json_t *object, const char *key)
+{
+    const char *found = json_string_value(json_object_get(object, key));
+    return found ? found : "";
+}
+
+/* Three digits or so. */
+static void write_digits(char *out, double value)
+{
+    snprintf(out, NUMBER, "%.*f", value < 10 ? 2 : value < 100 ? 1 : 0, value);
+}
+
+/* A time with its unit where it is not some ns. */
+static void write_time(char *out, double ns)
+{
+    char digits[NUMBER];
+    double scale = ns < 1e4 ? 1 : ns < 1e7 ? 1e3 : 1e6;
+    write_digits(digits, ns / scale);
+    snprintf(out, NUMBER, "%.12s%s", digits, ns < 1e4 ? "" : ns < 1e7 ? " us" : " ms");
+}
+
+/* 1,234,567 */
+static void write_grouped(char *out, long long value)
+{
+    char digits[NUMBER];
+    int length = snprintf(digits, sizeof digits, "%lld", value), at = 0;
+    for (int i = 0; i < length && at < NUMBER - 2; i++) {
+        if (i > 0 && (length - i) % 3 == 0)
+            out[at++] = ',';
+        out[at++] = digits[i];
+    }
+    out[at] = '\0';
+}
+
+/* ---- the machine ---- */
+
+static void write_machine(const struct table *table, const json_t *document)
+{
+    const json_t *machine = json_object_get(document, "machine"), *item;
+    size_t i;
+    fprintf(table->to, "%s, %d core%s%s, %.0f GiB, %s, %s\n", text(machine, "cpu"),
+            (int)number(machine, "cores"), number(machine, "cores") > 1 ? "s" : "",
+            json_is_true(json_object_get(machine, "hypervisor")) ? " of a virtual machine" : "",
+            number(machine, "ram_bytes") / (1 << 30), text(machine, "kernel"),
+            text(machine, "compiler"));
+    fputs("caches", table->to);
+    json_array_foreach(json_object_get(machine, "caches"), i, item)
+    {
+        double kib = number(item, "bytes") / 1024;
+        if (strcmp(text(item, "type"), "Instruction") != 0)
+            fprintf(table->to, "%s L%d %.0f %s", i ? "," : "", (int)number(item, "level"),
+                    kib < 1024 ? kib : kib / 1024, kib < 1024 ? "KiB" : "MiB");
+    }
+    fputs("; copies", table->to);
+    json_array_foreach(json_object_get(machine, "copy"), i, item)
+    {
+        fprintf(table->to, "%s %.0f MiB %.1f GB/s (%s)", i ? "," : "",
+                number(item, "bytes") / (1 << 20), number(item, "gigabytes_per_second"),
+                text(item, "method"));
+    }
+    fputs("\n", table->to);
+}
+
+static void write_title(const struct table *table, const json_t *document, const json_t *row)
+{
+    char triangles[NUMBER], vertices[NUMBER];
+    const char *what = text(row, "what");
+    size_t i;
+    const json_t *mesh;
+    write_grouped(triangles, (long long)number(row, "triangles"));
+    write_grouped(vertices, (long long)number(row, "vertices"));
+    fprintf(table->to, "\n%s%c%s on %s%s: %s triangles, %s vertices", table->bold ? "\033[1m" : "",
+            what[0] - 'a' + 'A', what + 1, text(row, "mesh"), table->bold ? "\033[0m" : "",
+            triangles, vertices);
+    json_array_foreach(json_object_get(document, "meshes"), i, mesh)
+    {
+        if (strcmp(text(mesh, "name"), text(row, "mesh")) == 0)
+            fprintf(table->to, ", %s, valence <= %.0f",
+                    number(mesh, "boundary_edges") > 0 ? "open" : "closed",
+                    number(mesh, "highest_valence"));
+    }
+    fputs("\n", table->to);
+}
+
+/* ---- one table a representation and operation ---- */
+
+static const struct {
+    const char *operation, *head;
+} sweeps[] = {{"bytes", "bytes"}, {"build", "build"},          {"transform", "transform"},
+              {"area", "area"},   {"face-normals", "face n."}, {"vertex-normals", "vertex n."},
+              {"edges", "edges"}, {"boundary-loops", "loops"}, {"smooth", "smooth"}},
+  queries[] = {{"faces-around-vertex", "faces of vertex"},
+               {"vertices-around-vertex", "vertices of vertex"},
+               {"face-neighbours", "face neighbours"},
+               {"is-edge", "is (u,v) an edge"}};
+enum {
+    SWEEPS = sizeof sweeps / sizeof *sweeps,
+    QUERIES = sizeof queries / sizeof *queries,
+    SWEEP_WIDTH = 8,
+    QUERY_WIDTH = 18
+};
+
+/* The row of that subject and operation on the same mesh. */
+static const json_t *find_row(const json_t *rows, const json_t *like, const char *operation)
+{
+    size_t i;
+    const json_t *row;
+    json_array_foreach(rows, i, row)
+    {
+        if (strcmp(text(row, "operation"), operation) == 0 &&
+            strcmp(text(row, "subject"), text(like, "subject")) == 0 &&
+            strcmp(text(row, "what"), text(like, "what")) == 0 &&
+            strcmp(text(row, "mesh"), text(like, "mesh")) == 0)
+            return row;
+    }
+    return NULL;
+}
+
+static void write_cell(struct table *table, const json_t *row, int width)
+{
+    char value[NUMBER] = "-";
+    const char *mark = "";
+    const json_t *query = json_object_get(row, "ns_per_query");
+    if (row && json_is_string(json_object_get(row, "error"))) {
+        snprintf(value, sizeof value, "refused");
+        table->has_refused = true;
+    } else if (row && strcmp(text(row, "operation"), "bytes") == 0) {
+        write_digits(value, number(json_object_get(row, "bytes_per_triangle"), "measured"));
+    } else if (row && json_is_object(query)) {
+        write_time(value, number(query, "median"));
+    } else if (row && json_is_object(json_object_get(row, "ns_per_triangle"))) {
+        write_time(value, number(json_object_get(row, "ns_per_triangle"), "median"));
+    }
+    if (row && (json_is_true(json_object_get(row, "noisy")) ||
+                json_is_true(json_object_get(json_object_get(row, "ratio"), "too_noisy")))) {
+        mark = "~";
+        table->has_noisy = true;
+    }
+    if (row && strcmp(text(row, "answer"), "different") == 0) {
+        mark = "!";
+        table->has_different = true;
+    }
+    char marked[NUMBER + 2];
+    snprintf(marked, sizeof marked, "%s%s", mark, value);
+    fprintf(table->to, "%*s", width, marked);
+}
+
+static bool begins_subject(const json_t *rows, size_t at)
+{
+    const json_t *row = json_array_get(rows, at);
+    for (size_t i = 0; i < at; i++) {
+        const json_t *before = json_array_get(rows, i);
+        if (strcmp(text(before, "subject"), text(row, "subject")) == 0 &&
+            strcmp(text(before, "what"), text(row, "what")) == 0 &&
+            strcmp(text(before, "mesh"), text(row, "mesh")) == 0)
+            return false;
+    }
+    return true;
+}
+
+static bool same_table(const json_t *left, const json_t *right)
+{
+    return strcmp(text(left, "what"), text(right, "what")) == 0 &&
+           strcmp(text(left, "mesh"), text(right, "mesh")) == 0;
+}
+
+static void write_matrix(struct table *table, const json_t *rows, const json_t *first, bool sweep)
+{
+    int count = sweep ? SWEEPS : QUERIES, width = sweep ? SWEEP_WIDTH : QUERY_WIDTH;
+    size_t i;
+    const json_t *row;
+    fprintf(table->to, "%-*s", NAME_WIDTH, sweep ? "  ns a triangle, warm" : "  ns a query");
+    for (int k = 0; k < count; k++)
+        fprintf(table->to, "%*s", width, sweep ? sweeps[k].head : queries[k].head);
+    fputs("\n", table->to);
+    json_array_foreach(rows, i, row)
+    {
+        if (!same_table(row, first) || !begins_subject(rows, i))
+            continue;
+        fprintf(table->to, "  %-*.*s", NAME_WIDTH - 2, NAME_WIDTH - 2, text(row, "title"));
+        for (int k = 0; k < count; k++)
+            write_cell(table,
+                       find_row(rows, row, sweep ? sweeps[k].operation : queries[k].operation),
+                       width);
+        fputs("\n", table->to);
+    }
+}
+
+/* ---- one table an operation and program ---- */
+
+static void write_ratio(struct table *table, const json_t *row)
+{
+    const json_t *ratio = json_object_get(row, "ratio");
+    char median[NUMBER], low[NUMBER], high[NUMBER], whole[3 * NUMBER + 16] = "";
+    if (json_is_object(ratio)) {
+        write_digits(median, number(ratio, "median"));
+        write_digits(low, number(ratio, "low"));
+        write_digits(high, number(ratio, "high"));
+        if (json_is_true(json_object_get(ratio, "too_noisy"))) {
+            snprintf(whole, sizeof whole, "too noisy [%s, %s]", low, high);
+            table->has_noisy = true;
+        } else {
+            snprintf(whole, sizeof whole, "%s [%s, %s]", median, low, high);
+        }
+    }
+    fprintf(table->to, "  %-26s%-8s", whole, text(ratio, "to"));
+}
+
+static void write_line(struct table *table, const json_t *row, const char *operation)
+{
+    char warm[NUMBER] = "-", cold[NUMBER] = "-", limit[NUMBER] = "";
+    const json_t *times = json_object_get(row, "ns_per_triangle");
+    const json_t *fresh = json_object_get(row, "cold_ns_per_triangle");
+    const json_t *bound = json_object_get(row, "limit");
+    bool is_kernel = strcmp(text(row, "kind"), "kernel") == 0;
+    if (json_is_object(times))
+        write_time(warm, number(times, "median"));
+    if (json_is_object(fresh))
+        write_time(cold, number(fresh, "median"));
+    if (json_is_object(bound))
+        snprintf(limit, sizeof limit, "%.0f %%", 100 * number(bound, "fraction"));
+    fprintf(table->to, "  %-16s%-*.*s%10s", operation, NAME_WIDTH - 4, NAME_WIDTH - 5,
+            is_kernel ? text(row, "variant") : text(row, "title"), warm);
+    write_ratio(table, row);
+    fprintf(table->to, "%9s%7s", cold, limit);
+    if (json_is_string(json_object_get(row, "error")))
+        fprintf(table->to, " %.60s", text(row, "error"));
+    if (strcmp(text(row, "answer"), "different") == 0) {
+        fputs(" ! another answer", table->to);
+        table->has_different = true;
+    }
+    fputs("\n", table->to);
+}
+
+static void write_list(struct table *table, const json_t *rows, const json_t *first)
+{
+    size_t i, k;
+    const json_t *row, *other;
+    fprintf(table->to, "  %-*s%14s  %-26s%-8s%9s%7s\n", NAME_WIDTH + 8, "operation", "ns/tri",
+            "ratio [interval]", "to", "cold", "limit");
+    json_array_foreach(rows, i, row)
+    {
+        bool is_first_of_its_kind = same_table(row, first);
+        for (k = 0; k < i && is_first_of_its_kind; k++) {
+            other = json_array_get(rows, k);
+            is_first_of_its_kind = !same_table(other, first) ||
+                                   strcmp(text(other, "operation"), text(row, "operation")) != 0;
+        }
+        if (!is_first_of_its_kind)
+            continue;
+        const char *operation = text(row, "operation");
+        json_array_foreach(rows, k, other)
+        {
+            if (!same_table(other, first) ||
+                strcmp(text(other, "operation"), text(row, "operation")))
+                continue;
+            write_line(table, other, operation);
+            operation = "";
+        }
+    }
+}
+
+/* ---- the whole ---- */
+
+static void write_claims(const struct table *table, const json_t *claims)
+{
+    size_t i;
+    const json_t *claim;
+    if (json_array_size(claims) == 0)
+        return;
+    fprintf(table->to, "\n%sClaims of the course's documents%s\n", table->bold ? "\033[1m" : "",
+            table->bold ? "\033[0m" : "");
+    fprintf(table->to, "  %-44s%-18s%10s%10s\n", "claim", "on", "claimed", "measured");
+    json_array_foreach(claims, i, claim)
+    {
+        fprintf(table->to, "%c %-44.43s%-18.17s%10.4g%10.4g\n",
+                json_is_true(json_object_get(claim, "holds")) ? ' ' : '!', text(claim, "claim"),
+                text(claim, "mesh"), number(claim, "claimed"), number(claim, "measured"));
+    }
+}
+
+static void write_closing(const struct table *table, const json_t *document)
+{
+    const json_t *noise = json_object_get(document, "noise");
+    double samples = number(noise, "samples");
+    fprintf(table->to, "\n%.0f samples, %.1f %% dropped because the core was slowed", samples,
+            samples > 0 ? 100 * number(noise, "dropped") / samples : 0.0);
+    fputs("; intervals are those of the sign test\n", table->to);
+    if (table->has_noisy)
+        fputs("~, too noisy: the interval is wider than a quarter either way\n", table->to);
+    if (table->has_refused)
+        fputs("refused: the structure cannot hold this mesh (bench.json says why)\n", table->to);
+    if (table->has_different)
+        fputs("!  the answer differs from that of the row compared to\n", table->to);
+}
+
+void table_write(const json_t *document, bool bold, FILE *to)
+{
+    struct table table = {.to = to, .bold = bold};
+    const json_t *rows = json_object_get(document, "rows"), *row;
+    size_t i;
+    write_machine(&table, document);
+    json_array_foreach(rows, i, row)
+    {
+        bool is_new = true;
+        for (size_t k = 0; k < i && is_new; k++)
+            is_new = !same_table(json_array_get(rows, k), row);
+        if (!is_new)
+            continue;
+        write_title(&table, document, row);
+        if (strcmp(text(row, "what"), "representations") == 0) {
+            write_matrix(&table, rows, row, true);
+            write_matrix(&table, rows, row, false);
+        } else {
+            write_list(&table, rows, row);
+        }
+    }
+    write_claims(&table, json_object_get(document, "claims"));
+    write_closing(&table, document);
+}

@@ -1,0 +1,272 @@
+/* meshgrade bench: compares mesh representations, and the reference kernels with other libraries.
+ */
+#include "graders/commands/common.h"
+#include "graders/commands/options.h"
+
+#include "bench/compare/document.h"
+#include "bench/compare/run.h"
+#include "bench/compare/subjects.h"
+#include "bench/compare/table.h"
+#include "graders/engine/files.h"
+#include "graders/engine/score.h"
+
+#include <limits.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { QUICK_SECONDS = 50, FULL_MINUTES = 28, COPY_SIZES = 4 };
+
+struct settings {
+    unsigned what;
+    bool quick, peers, json, csv, counts, again;
+    const char *output, *mesh, *subject, *blocks, *minutes;
+    char folder[PATH_MAX], program[PATH_MAX], peers_folder[PATH_MAX], models[PATH_MAX];
+};
+
+static volatile sig_atomic_t stop;
+
+static void ask_to_stop(int signal_number)
+{
+    (void)signal_number;
+    stop = 1;
+}
+
+/* ---- what is wanted ---- */
+
+static int read_what(struct settings *settings, int argc, char **argv, int first)
+{
+    for (int i = first; i < argc; i++) {
+        unsigned what = bench_what_find(argv[i]);
+        if (!what) {
+            fprintf(stderr,
+                    "meshgrade: bench does not know \"%s\"; choose of representations, kernels, "
+                    "paper, readers, claims, all\n",
+                    argv[i]);
+            return -1;
+        }
+        settings->what |= what;
+    }
+    if (!settings->what)
+        settings->what = BENCH_ALL;
+    return 0;
+}
+
+/* Where this program, the peers and the models stand, and where results go. */
+static int find_places(struct settings *settings, struct error *err)
+{
+    const char *root = project_root(err);
+    ssize_t length = readlink("/proc/self/exe", settings->program, sizeof settings->program - 1);
+    if (!root)
+        return -1;
+    if (length <= 0)
+        return error_set(err, "/proc/self/exe cannot be read: is /proc mounted?");
+    settings->program[length] = '\0';
+    if (snprintf(settings->peers_folder, PATH_MAX, "%s/build/peers", root) >= PATH_MAX ||
+        snprintf(settings->models, PATH_MAX, "%s/exercises/models", root) >= PATH_MAX ||
+        (settings->output
+             ? snprintf(settings->folder, PATH_MAX, "%s", settings->output)
+             : snprintf(settings->folder, PATH_MAX, "%s/build/bench", root)) >= PATH_MAX)
+        return error_set(err, "too long a path");
+    return folder_make(settings->folder, err);
+}
+
+/* ---- what was measured: results of other programs or machines are not mixed with these ---- */
+
+static unsigned long long hash_file(const char *path, unsigned long long hash)
+{
+    unsigned char bytes[65536];
+    size_t count;
+    FILE *file = fopen(path, "re");
+    while (file && (count = fread(bytes, 1, sizeof bytes, file)) > 0)
+        for (size_t i = 0; i < count; i++)
+            hash = (hash ^ bytes[i]) * 0x100000001B3U;
+    if (file)
+        fclose(file);
+    return hash;
+}
+
+static void make_fingerprint(const struct plan *plan, const struct machine *machine,
+                             const struct settings *settings, char *text, size_t capacity)
+{
+    unsigned long long hash = hash_file(settings->program, 0xCBF29CE484222325U);
+    for (int i = 0; i < plan->job_count; i++)
+        for (int k = 0; k < plan->jobs[i].contender_count; k++) {
+            const struct contender *contender = &plan->jobs[i].contenders[k];
+            if (contender->kind == CONTENDER_PEER && i == 0)
+                hash = hash_file(contender->program, hash);
+        }
+    snprintf(text, capacity, "%016llx %s %d %s", hash, machine->cpu, machine->core_count,
+             machine->kernel);
+}
+
+/* ---- the run ---- */
+
+static void show_progress(void *context, const struct run_progress *progress)
+{
+    enum { WIDTH = 28 };
+    char bar[WIDTH + 1];
+    int filled = progress->planned ? WIDTH * progress->done / progress->planned : WIDTH;
+    (void)context;
+    for (int i = 0; i < WIDTH; i++)
+        bar[i] = i < filled ? '#' : '.';
+    bar[WIDTH] = '\0';
+    if (progress->doing[0])
+        fprintf(stderr, "\r\033[K[%s] %d/%d  %.44s", bar, progress->done, progress->planned,
+                progress->doing);
+    else
+        fprintf(stderr, "\r\033[K");
+    fflush(stderr);
+}
+
+static int measure_copies(struct copy_bandwidth *copies, bool quick, struct error *err)
+{
+    static const int64_t sizes[COPY_SIZES] = {1 << 20, 16 << 20, 64 << 20, 512 << 20};
+    for (int i = 0; i < COPY_SIZES; i++)
+        if (copy_bandwidth_measure(sizes[i], quick ? 3 : 9, &copies[i], err) != 0)
+            return -1;
+    return 0;
+}
+
+static void print_document(const struct settings *settings, const json_t *document)
+{
+    if (settings->json) {
+        json_t *google = bench_document_google(document);
+        json_dumpf(google, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(6));
+        putchar('\n');
+        json_decref(google);
+    } else if (settings->csv) {
+        bench_document_csv(document, stdout);
+    } else {
+        table_write(document, style_for(stdout, NULL).colour, stdout);
+    }
+}
+
+/* Writes the files and prints; says where they are. */
+static int publish_results(const struct settings *settings, const struct plan *plan,
+                           const struct journal *journal, const struct document_facts *facts,
+                           struct error *err)
+{
+    json_t *document = bench_document_make(plan, journal, facts, err);
+    if (!document || bench_document_write(document, settings->folder, err) != 0) {
+        json_decref(document);
+        return -1;
+    }
+    print_document(settings, document);
+    fflush(stdout);
+    fprintf(stderr, "results: %s/bench.json, bench.csv, google.json%s\n", settings->folder,
+            run_is_complete(plan, journal) ? ""
+                                           : "; not all blocks are done: the same command goes on");
+    json_decref(document);
+    return 0;
+}
+
+static int run_and_publish(const struct settings *settings, const struct plan *plan,
+                           struct journal *journal, const struct machine *machine,
+                           struct error *err)
+{
+    struct copy_bandwidth copies[COPY_SIZES];
+    double minutes = settings->minutes ? strtod(settings->minutes, NULL) : FULL_MINUTES;
+    struct run_wish wish = {.plan = plan,
+                            .folder = settings->folder,
+                            .models = settings->models,
+                            .seconds = settings->quick && !settings->minutes ? QUICK_SECONDS
+                                                                             : 60 * minutes,
+                            .counts = settings->counts,
+                            .progress = isatty(STDERR_FILENO) ? show_progress : NULL,
+                            .stop = &stop};
+    if (measure_copies(copies, settings->quick, err) != 0 || run_plan(&wish, journal, err) != 0)
+        return -1;
+    struct document_facts facts = {.version = meshgrade_version(),
+                                   .mode = settings->quick ? "quick" : "full",
+                                   .machine = machine,
+                                   .copy = copies,
+                                   .copy_count = COPY_SIZES};
+    return publish_results(settings, plan, journal, &facts, err);
+}
+
+static int bench(const struct settings *settings, struct error *err)
+{
+    struct plan plan;
+    struct journal journal;
+    struct machine machine;
+    char fingerprint[256];
+    struct plan_wish wish = {.what = settings->what,
+                             .quick = settings->quick,
+                             .peers = settings->peers,
+                             .mesh = settings->mesh,
+                             .subject = settings->subject,
+                             .blocks = (int)options_number("blocks", settings->blocks, 1, 0),
+                             .program = settings->program,
+                             .peers_folder = settings->peers_folder};
+    machine_describe(&machine);
+    if (plan_make(&plan, &wish, err) != 0)
+        return -1;
+    make_fingerprint(&plan, &machine, settings, fingerprint, sizeof fingerprint);
+    int result = journal_open(&journal, settings->folder, fingerprint, err);
+    if (result == 0) {
+        if (journal.was_other)
+            fprintf(stderr, "meshgrade: the program or the machine has changed since the last run "
+                            "here: measuring anew (the old journal is journal.jsonl.old)\n");
+        result = run_and_publish(settings, &plan, &journal, &machine, err);
+        journal_close(&journal);
+    }
+    plan_release(&plan);
+    return result;
+}
+
+/* meshgrade bench --worker SUBJECT SNAPSHOT: how the runs start themselves; not in the help. */
+static int serve(const char *subject, const char *snapshot)
+{
+    struct error err = {""};
+    if (subject_serve(subject, snapshot, stdin, stdout, &err) == 0)
+        return EXIT_PASSED;
+    printf("refused %s\n", err.text);
+    return report_fault(&err);
+}
+
+static bool settings_are_good(const struct settings *settings)
+{
+    struct bench_mesh mesh;
+    struct error err = {""};
+    if (settings->mesh && bench_mesh_find(settings->mesh, &mesh, &err) != 0) {
+        report_fault(&err);
+        return false;
+    }
+    return options_number("blocks", settings->blocks, 1, 1) > 0 &&
+           options_number("minutes", settings->minutes, 1, 1) > 0;
+}
+
+static int run_bench(int argc, char **argv)
+{
+    struct settings settings = {0};
+    struct error err = {""};
+    const struct option_rule rules[] = {
+        {"quick", 'q', NULL, "few meshes, under a minute", NULL, &settings.quick},
+        {"peers", 0, NULL, "also other libraries (after make peers)", NULL, &settings.peers},
+        {"counts", 0, NULL, "also instructions, misses, allocations", NULL, &settings.counts},
+        {"output", 'o', "DIR", "results and journal (build/bench)", &settings.output, NULL},
+        {"json", 0, NULL, "print google/benchmark's JSON", NULL, &settings.json},
+        {"csv", 0, NULL, "print CSV", NULL, &settings.csv},
+        {"mesh", 0, "NAME", "only this mesh, as torus-100k-scrambled", &settings.mesh, NULL},
+        {"subject", 0, "TEXT", "only what has TEXT in its name", &settings.subject, NULL},
+        {"blocks", 0, "N", "fresh processes of each (6 to 12)", &settings.blocks, NULL},
+        {"minutes", 0, "N", "begin nothing after that (28)", &settings.minutes, NULL},
+        {0}};
+    if (argc == 4 && strcmp(argv[1], "--worker") == 0)
+        return serve(argv[2], argv[3]);
+    int first = options_parse(&command_bench, rules, argc, argv);
+    if (first < 0 || read_what(&settings, argc, argv, first) != 0 || !settings_are_good(&settings))
+        return EXIT_USAGE;
+    struct sigaction action = {.sa_handler = ask_to_stop};
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    if (find_places(&settings, &err) == 0 && bench(&settings, &err) == 0)
+        return EXIT_PASSED;
+    return report_fault(&err);
+}
+
+const struct command command_bench = {
+    "bench", "[WHAT...]", "compare representations and kernels, measured on this machine",
+    run_bench};
