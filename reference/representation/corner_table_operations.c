@@ -1,0 +1,258 @@
+/* The corner table as one representation among others; see corner_table.h and representation.h. */
+#include "reference/representation/by_faces.h"
+#include "reference/representation/corner_table.h"
+#include "reference/representation/triangle_sweeps.h"
+#include "reference/representation/vector.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+extern const struct representation representation_corner_table;
+
+/* -- life and size -------------------------------------------------------------------------- */
+
+static int build(void *self, const struct mesh *mesh, struct error *err)
+{
+    return corner_table_build(self, mesh, err);
+}
+
+static void release(void *self)
+{
+    corner_table_release(self);
+}
+
+static int check(const void *self, struct error *err)
+{
+    return corner_table_check(self, err);
+}
+
+static int to_mesh(const void *self, struct mesh *mesh, struct error *err)
+{
+    return corner_table_to_mesh(self, mesh, err);
+}
+
+static int32_t vertex_count(const void *self)
+{
+    return ((const struct corner_table *)self)->vertex_count;
+}
+
+static int32_t face_count(const void *self)
+{
+    return ((const struct corner_table *)self)->triangle_count;
+}
+
+static int64_t bytes(const void *self)
+{
+    const struct corner_table *table = self;
+    return (int64_t)(3 * sizeof *table->positions + sizeof *table->vertex_corner) *
+               table->vertex_count +
+           3 * (int64_t)(sizeof *table->vertex + sizeof *table->opposite) * table->triangle_count;
+}
+
+static int64_t formula_bytes(const struct mesh_counts *counts)
+{
+    return 16 * counts->vertices + 24 * counts->triangles;
+}
+
+/* -- sweeps --------------------------------------------------------------------------------- */
+
+static void face_vertices(const void *self, int32_t first, int32_t count, int32_t *corners)
+{
+    const struct corner_table *table = self;
+    memcpy(corners, table->vertex + 3 * (int64_t)first, 3 * (size_t)count * sizeof *corners);
+}
+
+static int64_t transform(void *self, const float matrix[12])
+{
+    const struct corner_table *table = self;
+    return positions_transform(table->positions, table->vertex_count, matrix);
+}
+
+static double area(const void *self)
+{
+    return faces_area(&representation_corner_table, self,
+                      ((const struct corner_table *)self)->positions);
+}
+
+static void face_normals(const void *self, float *normals)
+{
+    const struct corner_table *table = self;
+    faces_normals(&representation_corner_table, self, table->positions, normals);
+}
+
+static int vertex_normals(const void *self, float *normals, struct error *err)
+{
+    (void)err;
+    const struct corner_table *table = self;
+    faces_vertex_normals(&representation_corner_table, self, table->positions, normals);
+    return 0;
+}
+
+/* Each edge from the one of the corners that face it that has the lower number. */
+static int64_t edges(const void *self, int32_t *pairs, struct error *err)
+{
+    (void)err;
+    const struct corner_table *table = self;
+    int64_t count = 0;
+    for (int32_t c = 0; c < 3 * table->triangle_count; c++) {
+        if (table->opposite[c] >= 0 && table->opposite[c] < c)
+            continue;
+        int32_t u = table->vertex[corner_next(c)], v = table->vertex[corner_previous(c)];
+        pairs[2 * count] = u < v ? u : v;
+        pairs[2 * count++ + 1] = u < v ? v : u;
+    }
+    return count;
+}
+
+/* On the boundary the corner of a vertex starts the boundary side that leaves it. */
+static int32_t boundary_loops(const void *self, int32_t *vertices, int32_t *loop_starts,
+                              struct error *err)
+{
+    const struct corner_table *table = self;
+    uint8_t *visited = calloc((size_t)table->vertex_count + 1, 1);
+    if (!visited)
+        return error_set(err, "out of memory: boundary loops of %d vertices", table->vertex_count);
+    int32_t count = 0, loops = 0;
+    for (int32_t first = 0; first < table->vertex_count; first++) {
+        if (visited[first] || !corner_table_on_boundary(table, first))
+            continue;
+        loop_starts[loops++] = count;
+        for (int32_t v = first; !visited[v];
+             v = table->vertex[corner_next(table->vertex_corner[v])]) {
+            visited[v] = 1;
+            vertices[count++] = v;
+        }
+    }
+    loop_starts[loops] = count;
+    free(visited);
+    return loops;
+}
+
+/* Mean of the vertices around one that is not on the boundary. */
+static struct vector mean_around(const struct corner_table *table, int32_t vertex)
+{
+    struct vector sum = {0.0, 0.0, 0.0};
+    int32_t first = table->vertex_corner[vertex], c = first, count = 0;
+    do {
+        sum = vector_add(sum, vector_at(table->positions, table->vertex[corner_next(c)]));
+        count++;
+        c = corner_table_swing(table, c);
+    } while (c != first);
+    return vector_scale(sum, 1.0 / count);
+}
+
+static int smooth(void *self, struct error *err)
+{
+    const struct corner_table *table = self;
+    size_t size = 3 * (size_t)table->vertex_count * sizeof(float);
+    float *moved = malloc(size + 1);
+    if (!moved)
+        return error_set(err, "out of memory: smoothing %d vertices", table->vertex_count);
+    for (int32_t v = 0; v < table->vertex_count; v++) {
+        bool stays = table->vertex_corner[v] < 0 || corner_table_on_boundary(table, v);
+        vector_put(moved, v, stays ? vector_at(table->positions, v) : mean_around(table, v));
+    }
+    if (table->vertex_count)
+        memcpy(table->positions, moved, size);
+    free(moved);
+    return 0;
+}
+
+/* -- queries -------------------------------------------------------------------------------- */
+
+static int32_t face_neighbours(const void *self, int32_t face, int32_t neighbours[3])
+{
+    const struct corner_table *table = self;
+    int32_t count = 0;
+    for (int i = 0; i < 3; i++) {
+        neighbours[i] = corner_table_across(table, 3 * face + i);
+        count += neighbours[i] >= 0;
+    }
+    return count;
+}
+
+static int32_t faces_around_vertex(const void *self, int32_t vertex, int32_t *faces,
+                                   int32_t capacity)
+{
+    const struct corner_table *table = self;
+    int32_t first = table->vertex_corner[vertex], c = first, count = 0;
+    if (first < 0)
+        return 0;
+    do {
+        if (count < capacity)
+            faces[count] = c / 3;
+        count++;
+        c = corner_table_swing(table, c);
+    } while (c >= 0 && c != first);
+    return count;
+}
+
+/* The next corner of each, and on a boundary the previous one of the last. */
+static int32_t vertices_around_vertex(const void *self, int32_t vertex, int32_t *vertices,
+                                      int32_t capacity)
+{
+    const struct corner_table *table = self;
+    int32_t first = table->vertex_corner[vertex], c = first, last = first, count = 0;
+    if (first < 0)
+        return 0;
+    do {
+        if (count < capacity)
+            vertices[count] = table->vertex[corner_next(c)];
+        count++;
+        last = c;
+        c = corner_table_swing(table, c);
+    } while (c >= 0 && c != first);
+    if (c >= 0)
+        return count;
+    if (count < capacity)
+        vertices[count] = table->vertex[corner_previous(last)];
+    return count + 1;
+}
+
+static bool is_edge(const void *self, int32_t u, int32_t v)
+{
+    const struct corner_table *table = self;
+    int32_t first = table->vertex_corner[u], c = first;
+    if (first < 0)
+        return false;
+    do {
+        if (table->vertex[corner_next(c)] == v || table->vertex[corner_previous(c)] == v)
+            return true;
+        c = corner_table_swing(table, c);
+    } while (c >= 0 && c != first);
+    return false;
+}
+
+const struct representation representation_corner_table = {
+    .order = 110,
+    .name = "corner-table",
+    .title = "Corner table",
+    .documents = "-",
+    .struct_bytes = sizeof(struct corner_table),
+    .holds = FEATURE_BOUNDARY | FEATURE_ISOLATED_VERTEX,
+    .cost = {[QUERY_FACE_VERTICES] = "k",
+             [QUERY_FACE_NEIGHBOURS] = "k",
+             [QUERY_FACES_AROUND_VERTEX] = "k",
+             [QUERY_VERTICES_AROUND_VERTEX] = "k",
+             [QUERY_IS_EDGE] = "k"},
+    .rings_in_order = true,
+    .build = build,
+    .release = release,
+    .check = check,
+    .to_mesh = to_mesh,
+    .vertex_count = vertex_count,
+    .face_count = face_count,
+    .bytes = bytes,
+    .formula_bytes = formula_bytes,
+    .transform = transform,
+    .area = area,
+    .face_normals = face_normals,
+    .vertex_normals = vertex_normals,
+    .edges = edges,
+    .boundary_loops = boundary_loops,
+    .smooth = smooth,
+    .face_vertices = face_vertices,
+    .face_neighbours = face_neighbours,
+    .faces_around_vertex = faces_around_vertex,
+    .vertices_around_vertex = vertices_around_vertex,
+    .is_edge = is_edge};
