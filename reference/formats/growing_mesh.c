@@ -1,47 +1,61 @@
 /* A mesh that grows; see growing_mesh.h. */
 #include "reference/formats/growing_mesh.h"
 
+#include "reference/formats/huge_pages.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for one more triple of 4-byte values in *table. */
-static int grow(void **table, int64_t count, int64_t *capacity, const char *what, struct error *err)
+/* Room for `wanted` triples of 4-byte values in *table. */
+static int resize(void **table, int64_t count, int64_t *capacity, int64_t wanted, const char *what,
+                  struct error *err)
 {
-    if (count < *capacity)
-        return 0;
-    if (count >= INT32_MAX / 3)
-        return error_set(err, "more than %d %s: a mesh cannot hold them", INT32_MAX / 3, what);
-    int64_t wanted = *capacity > 0 ? 2 * *capacity : 64;
     void *grown = realloc(*table, 12 * (size_t)wanted);
     if (!grown)
         return error_set(err, "out of memory: reading more than %lld %s", (long long)count, what);
+    prefer_huge_pages(grown, 12 * (size_t)wanted);
     *table = grown;
     *capacity = wanted;
     return 0;
 }
 
-int growing_mesh_add_vertex(struct growing_mesh *mesh, const float position[3], struct error *err)
+static int grow(void **table, int64_t count, int64_t *capacity, const char *what, struct error *err)
+{
+    if (count >= INT32_MAX / 3)
+        return error_set(err, "more than %d %s: a mesh cannot hold them", INT32_MAX / 3, what);
+    int64_t wanted = *capacity > 0 ? 2 * *capacity : 64;
+    return resize(table, count, capacity, wanted, what, err);
+}
+
+int growing_mesh_grow_vertices(struct growing_mesh *mesh, struct error *err)
 {
     void *table = mesh->positions;
     int result = grow(&table, mesh->vertex_count, &mesh->vertex_capacity, "vertices", err);
     mesh->positions = table;
-    if (result == 0)
-        memcpy(mesh->positions + 3 * mesh->vertex_count++, position, 3 * sizeof *position);
     return result;
 }
 
-int growing_mesh_add_triangle(struct growing_mesh *mesh, int32_t a, int32_t b, int32_t c,
-                              struct error *err)
+int growing_mesh_grow_triangles(struct growing_mesh *mesh, struct error *err)
 {
     void *table = mesh->triangles;
     int result = grow(&table, mesh->triangle_count, &mesh->triangle_capacity, "triangles", err);
     mesh->triangles = table;
-    if (result == 0) {
-        int32_t *corner = mesh->triangles + 3 * mesh->triangle_count++;
-        corner[0] = a;
-        corner[1] = b;
-        corner[2] = c;
-    }
+    return result;
+}
+
+int growing_mesh_reserve(struct growing_mesh *mesh, int64_t vertex_count, int64_t triangle_count,
+                         struct error *err)
+{
+    void *positions = mesh->positions, *triangles = mesh->triangles;
+    int result = 0;
+    if (vertex_count > mesh->vertex_capacity)
+        result = resize(&positions, mesh->vertex_count, &mesh->vertex_capacity, vertex_count,
+                        "vertices", err);
+    if (result == 0 && triangle_count > mesh->triangle_capacity)
+        result = resize(&triangles, mesh->triangle_count, &mesh->triangle_capacity, triangle_count,
+                        "triangles", err);
+    mesh->positions = positions;
+    mesh->triangles = triangles;
     return result;
 }
 

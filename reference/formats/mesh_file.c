@@ -1,6 +1,7 @@
 /* Meshes in files; see mesh_file.h. */
 #include "reference/formats/mesh_file.h"
 
+#include "reference/formats/huge_pages.h"
 #include "reference/formats/obj.h"
 #include "reference/formats/off.h"
 #include "reference/formats/ply.h"
@@ -72,6 +73,8 @@ static char *load(const char *path, size_t *byte_count, struct error *err)
         bytes = malloc(size + 1);
         if (!bytes)
             error_set(err, "%s: out of memory for its %zu bytes", path, size);
+        else
+            prefer_huge_pages(bytes, size);
     }
     ssize_t got = 1;
     while (bytes && count < size && got > 0) {

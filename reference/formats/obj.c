@@ -3,6 +3,7 @@
 
 #include "reference/formats/growing_mesh.h"
 #include "reference/formats/scan.h"
+#include "reference/formats/scan_plain.h"
 #include "reference/formats/text_out.h"
 
 #include <string.h>
@@ -51,8 +52,9 @@ static int read_corner(struct reader *r, const struct token *corner, int64_t *ve
     }
 }
 
-/* From the file's way of counting to an index from 0. */
-static int resolve(struct reader *r, int64_t number, int64_t *index)
+/* From the file's way of counting to an index from 0: of a number that is not plainly one of those
+ * named before. */
+static int resolve_new(struct reader *r, int64_t number, int64_t *index)
 {
     if (number == 0)
         return scan_error(&r->scan, "vertex 0: OBJ files count from 1 (or back from -1)");
@@ -70,14 +72,27 @@ static int resolve(struct reader *r, int64_t number, int64_t *index)
     return 0;
 }
 
+static inline int resolve(struct reader *r, int64_t number, int64_t *index)
+{
+    *index = number - 1;
+    return number > 0 && number - 1 <= r->highest_index ? 0 : resolve_new(r, number, index);
+}
+
+static int add_corner(struct reader *r, struct polygon *polygon, int64_t number)
+{
+    int64_t index = 0;
+    if (resolve(r, number, &index))
+        return -1;
+    return polygon_add_corner(polygon, &r->mesh, (int32_t)index, r->scan.err);
+}
+
 static int read_face(struct reader *r)
 {
     struct polygon polygon = {0};
     struct token corner;
     while (scan_token(&r->scan, &corner)) {
-        int64_t number = 0, index = 0;
-        if (read_corner(r, &corner, &number) || resolve(r, number, &index) ||
-            polygon_add_corner(&polygon, &r->mesh, (int32_t)index, r->scan.err))
+        int64_t number = 0;
+        if (read_corner(r, &corner, &number) || add_corner(r, &polygon, number))
             return -1;
     }
     if (polygon.corner_count < 3)
@@ -101,11 +116,60 @@ static bool is_known(const struct token *keyword)
     return false;
 }
 
+/* -- plain lines ------------------------------------------------------------------------------ */
+
+static int add_plain_face(struct reader *r, const struct plain_integers *row)
+{
+    int64_t first, last, next;
+    if (resolve(r, row->values[0], &first) || resolve(r, row->values[1], &last))
+        return -1;
+    for (int i = 2; i < row->count; i++) {
+        if (resolve(r, row->values[i], &next) ||
+            growing_mesh_add_triangle(&r->mesh, (int32_t)first, (int32_t)last, (int32_t)next,
+                                      r->scan.err))
+            return -1;
+        last = next;
+    }
+    return 0;
+}
+
+/* Reads "v" and "f" lines as long as they are plain. */
+static int read_plain_lines(struct reader *r)
+{
+    while (may_be_plain(&r->scan, 2)) {
+        const char *line = r->scan.bytes + r->scan.at, *behind = NULL;
+        struct plain_floats floats;
+        struct plain_integers corners;
+        int result = 0;
+        if (line[0] == 'v' && line[1] == ' ') {
+            behind = plain_floats(&r->scan, 2, &floats);
+            if (!behind || floats.count < 3)
+                return 0;
+            result = growing_mesh_add_vertex(&r->mesh, floats.values, r->scan.err);
+        } else if (line[0] == 'f' && line[1] == ' ') {
+            behind = plain_corners(&r->scan, 2, &corners);
+            if (!behind || corners.count < 3)
+                return 0;
+            result = add_plain_face(r, &corners);
+        }
+        if (!behind || result)
+            return result;
+        scan_pass_row(&r->scan, behind);
+    }
+    return 0;
+}
+
+/* -- the whole -------------------------------------------------------------------------------- */
+
 static int read_statements(struct reader *r)
 {
-    while (scan_find_token(&r->scan)) {
+    for (;;) {
         struct token keyword;
         int result = 0;
+        if (read_plain_lines(r))
+            return -1;
+        if (!scan_find_token(&r->scan))
+            break;
         scan_token(&r->scan, &keyword);
         if (token_is(&keyword, "v"))
             result = read_vertex(r);

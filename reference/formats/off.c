@@ -3,6 +3,7 @@
 
 #include "reference/formats/growing_mesh.h"
 #include "reference/formats/scan.h"
+#include "reference/formats/scan_plain.h"
 #include "reference/formats/text_out.h"
 
 #include <string.h>
@@ -97,10 +98,45 @@ static int find_row(struct reader *r, const char *what, int64_t row, int64_t cou
                       (long long)row, (long long)count);
 }
 
+/* The vertex when its row is plain: then *is_read. */
+static int read_plain_vertex(struct reader *r, bool *is_read)
+{
+    struct plain_floats row;
+    const char *behind = plain_floats(&r->scan, 0, &row);
+    *is_read = behind && (row.count == 3 || (r->has_attributes && row.count > 3));
+    if (!*is_read)
+        return 0;
+    scan_pass_row(&r->scan, behind);
+    return growing_mesh_add_vertex(&r->mesh, row.values, r->scan.err);
+}
+
+/* The face when its row is plain and right: then *is_read. */
+static int read_plain_face(struct reader *r, bool *is_read)
+{
+    struct plain_integers row;
+    const char *behind = plain_integers(&r->scan, 0, &row);
+    *is_read = behind && row.count >= 4 && row.values[0] == row.count - 1;
+    for (int i = 1; *is_read && i < row.count; i++)
+        *is_read = row.values[i] >= 0 && row.values[i] < r->vertex_count;
+    if (!*is_read)
+        return 0;
+    struct polygon polygon = {0};
+    for (int i = 1; i < row.count; i++)
+        if (polygon_add_corner(&polygon, &r->mesh, (int32_t)row.values[i], r->scan.err))
+            return -1;
+    scan_pass_row(&r->scan, behind);
+    return 0;
+}
+
 static int read_vertices(struct reader *r)
 {
     for (int64_t v = 0; v < r->vertex_count; v++) {
         float position[3];
+        bool is_read;
+        if (read_plain_vertex(r, &is_read))
+            return -1;
+        if (is_read)
+            continue;
         struct token extra;
         if (find_row(r, "vertex", v, r->vertex_count) ||
             scan_next_float(&r->scan, "x", &position[0]) ||
@@ -146,11 +182,17 @@ static int read_face(struct reader *r, int64_t face)
 
 static int read_everything(struct reader *r)
 {
-    if (read_keyword(r) || read_counts(r) || read_vertices(r))
+    if (read_keyword(r) || read_counts(r) ||
+        growing_mesh_reserve(&r->mesh, r->vertex_count, r->face_count, r->scan.err) ||
+        read_vertices(r))
         return -1;
-    for (int64_t face = 0; face < r->face_count; face++)
-        if (find_row(r, "face", face, r->face_count) || read_face(r, face))
+    for (int64_t face = 0; face < r->face_count; face++) {
+        bool is_read;
+        if (read_plain_face(r, &is_read))
             return -1;
+        if (!is_read && (find_row(r, "face", face, r->face_count) || read_face(r, face)))
+            return -1;
+    }
     if (scan_find_token(&r->scan))
         return scan_error(&r->scan, "the file goes on behind its last face: its counts lie");
     return 0;

@@ -3,6 +3,7 @@
 
 #include "reference/formats/growing_mesh.h"
 #include "reference/formats/ply_header.h"
+#include "reference/formats/ply_plain.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -242,9 +243,17 @@ static int read_elements(struct reader *r)
     static const char *const names[] = {"row", "vertex", "face"};
     for (int e = 0; e < r->header.element_count; e++) {
         const struct ply_element *element = &r->header.elements[e];
+        /* The header's check has found the counts to fit the file. */
+        if (growing_mesh_reserve(&r->mesh, element->kind == PLY_VERTEX ? element->count : 0,
+                                 element->kind == PLY_FACE ? element->count : 0, r->scan.err))
+            return -1;
         r->element_name = names[element->kind];
         r->row_count = element->count;
-        for (r->row = 0; r->row < element->count; r->row++) {
+        for (r->row = 0;; r->row++) {
+            if (ply_read_plain_rows(&r->scan, &r->header, element, &r->row, &r->mesh))
+                return -1;
+            if (r->row == element->count)
+                break;
             if (read_row(r, element))
                 return -1;
             if (r->header.encoding == PLY_ASCII)

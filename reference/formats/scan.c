@@ -1,6 +1,8 @@
 /* Tokens, lines and numbers of text in memory; see scan.h. */
 #include "reference/formats/scan.h"
 
+#include "reference/formats/number.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -17,6 +19,11 @@ int scan_init(struct scan *scan, const void *bytes, size_t byte_count, const cha
         return error_set(err, "%s: out of memory", name);
     if (byte_count >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0)
         scan->at = 3;
+    /* The last line end with enough bytes behind it: number.h needs both. */
+    const char *last = NULL;
+    if (byte_count > NUMBER_OVERREAD)
+        last = memrchr(bytes, '\n', byte_count - NUMBER_OVERREAD);
+    scan->plain_end = last ? (size_t)(last - scan->bytes) : 0;
     return 0;
 }
 
@@ -61,6 +68,12 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
+/* Whether c neither ends a token or line nor starts a comment or continuation, in any format. */
+static inline bool is_ordinary(char c)
+{
+    return (unsigned char)c > ' ' && c != '#' && c != '\\';
+}
+
 /* Goes over blanks, continued line ends and, up to the line's end, a comment. */
 static void skip_blanks(struct scan *scan)
 {
@@ -84,9 +97,11 @@ bool scan_token(struct scan *scan, struct token *token)
 {
     skip_blanks(scan);
     size_t start = scan->at;
-    while (scan->at < scan->byte_count && line_end_length(scan, scan->at) == 0 &&
-           !is_blank(scan->bytes[scan->at]) && continuation_length(scan) == 0 &&
-           !(scan->comment && scan->bytes[scan->at] == scan->comment))
+    while (scan->at < scan->byte_count &&
+           (is_ordinary(scan->bytes[scan->at]) ||
+            (line_end_length(scan, scan->at) == 0 && !is_blank(scan->bytes[scan->at]) &&
+             continuation_length(scan) == 0 &&
+             !(scan->comment && scan->bytes[scan->at] == scan->comment))))
         scan->at++;
     *token = (struct token){scan->bytes + start, scan->at - start};
     return token->length > 0;
@@ -96,8 +111,11 @@ void scan_end_line(struct scan *scan)
 {
     struct token ignored;
     bool goes_on = true;
-    while (goes_on)
+    while (goes_on) {
+        while (scan->at < scan->byte_count && is_ordinary(scan->bytes[scan->at]))
+            scan->at++;
         goes_on = scan_token(scan, &ignored);
+    }
     size_t end = line_end_length(scan, scan->at);
     if (end > 0) {
         if (scan->line == 1 && end == 1 && scan->bytes[scan->at] == '\r')
@@ -217,8 +235,36 @@ static int decimal_text(const struct scan *scan, const struct token *token, cons
 
 enum { NUMBER_SIZE = 400 }; /* more digits than the longest exact double in fixed notation */
 
+/* A short token in the surroundings that number.h asks for. */
+struct short_number {
+    char text[32 + NUMBER_OVERREAD + 1];
+};
+
+static bool copy_short(const struct token *token, struct short_number *copy)
+{
+    if (token->length > 32)
+        return false;
+    memset(copy, 0, sizeof *copy);
+    memcpy(copy->text, token->text, token->length);
+    return true;
+}
+
+static bool fast_float(const struct token *token, float *value)
+{
+    struct short_number copy;
+    return copy_short(token, &copy) && number_float(copy.text, value) == copy.text + token->length;
+}
+
+static bool fast_double(const struct token *token, double *value)
+{
+    struct short_number copy;
+    return copy_short(token, &copy) && number_double(copy.text, value) == copy.text + token->length;
+}
+
 int scan_float(const struct scan *scan, const struct token *token, const char *what, float *value)
 {
+    if (fast_float(token, value))
+        return 0;
     char text[NUMBER_SIZE], *end;
     if (decimal_text(scan, token, what, text, sizeof text))
         return -1;
@@ -234,6 +280,8 @@ int scan_float(const struct scan *scan, const struct token *token, const char *w
 
 int scan_double(const struct scan *scan, const struct token *token, const char *what, double *value)
 {
+    if (fast_double(token, value))
+        return 0;
     char text[NUMBER_SIZE], *end;
     if (decimal_text(scan, token, what, text, sizeof text))
         return -1;

@@ -25,6 +25,7 @@ struct scan {
     char comment;         /* starts a comment that ends with the line; 0: there are none */
     bool is_continued;    /* a backslash at the end of a line joins the next one to it */
     bool line_ends_by_cr; /* a CR alone ended the first line: an LF after it is data */
+    size_t plain_end;     /* plain rows lie before it; see scan_plain.h */
 };
 
 struct token {

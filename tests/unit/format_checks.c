@@ -115,6 +115,17 @@ static void assert_refused_or_valid(const struct format_under_test *format, cons
     free(copy);
 }
 
+static void damage(struct random *rng, unsigned char *bytes, size_t byte_count)
+{
+    static const char likely[] = "0123456789-./ \n\r\\#e";
+    for (uint64_t hits = 1 + random_below(rng, 4); hits > 0; hits--) {
+        size_t at = (size_t)random_below(rng, byte_count);
+        bytes[at] = random_below(rng, 2) == 0
+                        ? (unsigned char)random_next(rng)
+                        : (unsigned char)likely[random_below(rng, sizeof likely - 1)];
+    }
+}
+
 void assert_survives_damage(const struct format_under_test *format, const void *bytes,
                             size_t byte_count)
 {
@@ -124,14 +135,35 @@ void assert_survives_damage(const struct format_under_test *format, const void *
         struct random rng;
         random_init(&rng, seed);
         unsigned char *damaged = exact_copy(bytes, byte_count);
-        for (uint64_t hits = 1 + random_below(&rng, 4); hits > 0; hits--) {
-            static const char likely[] = "0123456789-./ \n\r\\#e";
-            size_t at = (size_t)random_below(&rng, byte_count);
-            damaged[at] = random_below(&rng, 2) == 0
-                              ? (unsigned char)random_next(&rng)
-                              : (unsigned char)likely[random_below(&rng, sizeof likely - 1)];
-        }
+        damage(&rng, damaged, byte_count);
         assert_refused_or_valid(format, damaged, byte_count);
         free(damaged);
+    }
+}
+
+void assert_plain_rows_are_as_others(const struct format_under_test *format, const char *text)
+{
+    size_t byte_count = strlen(text);
+    for (uint64_t seed = 0; seed < 6000; seed++) {
+        struct random rng;
+        random_init(&rng, seed);
+        unsigned char *plain = exact_copy(text, byte_count), *others;
+        if (seed > 0)
+            damage(&rng, plain, byte_count);
+        /* A vertical tab is a blank too, but not one of a plain row. */
+        others = exact_copy(plain, byte_count);
+        for (size_t i = 0; i < byte_count; i++)
+            others[i] = others[i] == ' ' ? '\v' : others[i];
+        struct mesh mesh, expected;
+        struct error err = {0}, expected_err = {0};
+        int result = format->read(plain, byte_count, "file", &mesh, &err);
+        assert_int_equal(format->read(others, byte_count, "file", &expected, &expected_err),
+                         result);
+        assert_string_equal(err.text, expected_err.text);
+        assert_true(same_mesh(&mesh, &expected));
+        mesh_release(&mesh);
+        mesh_release(&expected);
+        free(plain);
+        free(others);
     }
 }

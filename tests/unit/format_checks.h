@@ -31,6 +31,10 @@ void assert_round_trips(const struct format_under_test *format);
 void assert_survives_damage(const struct format_under_test *format, const void *bytes,
                             size_t byte_count);
 
+/* The plain rows of a text, damaged at random, are read as they are token by token: with the same
+ * mesh, or the same error. */
+void assert_plain_rows_are_as_others(const struct format_under_test *format, const char *text);
+
 /* What write gives for a mesh; the caller frees it. */
 char *written(const struct format_under_test *format, const struct mesh *mesh, size_t *byte_count);
 

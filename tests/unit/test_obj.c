@@ -128,6 +128,15 @@ static void damaged_files_are_refused_or_valid(void **state)
     assert_survives_damage(&obj, text, sizeof text - 1);
 }
 
+static void plain_rows_are_read_as_others(void **state)
+{
+    (void)state;
+    assert_plain_rows_are_as_others(
+        &obj, "v 0 -0 1.5\nv 1e-3 0.12345678 2\r\nv 1 1 0 1\nv 0 1 0 0.5 0.5 0.5\n"
+              "vt 0.5 0.5\nvn 0 0 1\ng a\nf 1 2 3\nf 1/1 2/1 -2/1\nf 1//1 2//1 3//1 4//1\n"
+              "f 1/1/1 2/1/1 3/1/1 \nv  16777217 1e39 .5\nf 5 4 -1\n# done\n       \n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -139,6 +148,7 @@ int main(void)
         cmocka_unit_test(bad_files_are_named_with_their_line),
         cmocka_unit_test(a_long_token_is_cut_in_the_message),
         cmocka_unit_test(damaged_files_are_refused_or_valid),
+        cmocka_unit_test(plain_rows_are_read_as_others),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -104,6 +104,16 @@ static void damaged_files_are_refused_or_valid(void **state)
     assert_survives_damage(&off, text, sizeof text - 1);
 }
 
+static void plain_rows_are_read_as_others(void **state)
+{
+    (void)state;
+    assert_plain_rows_are_as_others(&off, "OFF\n5 3 0\n0 0 0\n1.5 -0 1e-7\r\n1 1 0\n0 1 0.25\n"
+                                          "16777217 1e3 .5\n3 0 1 2\n4 0 2 3 4\n3 4 3 2 7 7 7\n"
+                                          "         \n");
+    assert_plain_rows_are_as_others(&off, "CNOFF\n3 1 0\n0 0 0 0 0 1 1 1 1\n1 0 0 0 0 1 1 1 1\n"
+                                          "0 1 0 0 0 1 1 1 1\n3 0 1 2\n         \n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -112,6 +122,7 @@ int main(void)
         cmocka_unit_test(meshes_come_back_bit_for_bit),
         cmocka_unit_test(bad_files_are_named_with_their_line),
         cmocka_unit_test(damaged_files_are_refused_or_valid),
+        cmocka_unit_test(plain_rows_are_read_as_others),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

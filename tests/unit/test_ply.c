@@ -375,6 +375,51 @@ static void damaged_files_are_refused_or_valid(void **state)
     }
 }
 
+static void plain_rows_are_read_as_others(void **state)
+{
+    (void)state;
+    assert_plain_rows_are_as_others(&ascii, HEADER("4", "3") "0 0 0\n1.5 -0 1e-7\r\n0 1 0.25\n"
+                                                             "16777217 1e3 .5\n3 0 1 2\n"
+                                                             "4 0 1 2 3\n3 3 2 1\n         \n");
+    assert_plain_rows_are_as_others(
+        &ascii, "ply\nformat ascii 1.0\nelement face 1\nproperty list char uchar vertex_indices\n"
+                "element vertex 3\nproperty double z\nproperty uchar red\nproperty float x\n"
+                "property double y\nend_header\n3 2 1 0\n0.1 255 1 2\n0.2 0 1 2\n0.3 7 1 2\n"
+                "         \n");
+}
+
+static void bad_plain_binary_rows_are_named_with_their_byte(void **state)
+{
+    (void)state;
+    struct mesh square;
+    size_t byte_count;
+    assert_int_equal(generate_grid(&square, 1, 1, NULL), 0);
+    const struct format_under_test *const encodings[] = {&little, &big};
+    for (int i = 0; i < 2; i++) {
+        char *bytes = written(encodings[i], &square, &byte_count), error[200];
+        /* The last index of the last triangle, and the y of the last vertex. */
+        memset(bytes + byte_count - 4, 0x7f, 4);
+        snprintf(
+            error, sizeof error,
+            "file: byte %zu: face 1: corner 2 names vertex 2139062143, the file has 4, counted "
+            "from 0",
+            byte_count - 4);
+        assert_bytes_refused(encodings[i], bytes, byte_count, error);
+        memset(bytes + byte_count - 4, 0xff, 4);
+        snprintf(error, sizeof error,
+                 "file: byte %zu: face 1: corner 2 names vertex -1, the file has 4, counted from 0",
+                 byte_count - 4);
+        assert_bytes_refused(encodings[i], bytes, byte_count, error);
+        size_t y = byte_count - 26 - 8;
+        memset(bytes + y, 0xff, 4);
+        snprintf(error, sizeof error,
+                 "file: byte %zu: y of vertex 3 is NaN: a finite number expected", y);
+        assert_bytes_refused(encodings[i], bytes, byte_count, error);
+        free(bytes);
+    }
+    mesh_release(&square);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -391,6 +436,8 @@ int main(void)
         cmocka_unit_test(bad_rows_are_named_with_their_line),
         cmocka_unit_test(bad_binary_values_are_named_with_their_byte),
         cmocka_unit_test(damaged_files_are_refused_or_valid),
+        cmocka_unit_test(plain_rows_are_read_as_others),
+        cmocka_unit_test(bad_plain_binary_rows_are_named_with_their_byte),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
