@@ -41,7 +41,7 @@ endif
 ifneq ($(filter fuzz,$(MAKECMDGOALS)),)
 PACKAGES += $(FUZZ_PACKAGES)
 endif
-SELF_PREPARING := deps demo test unit validate lint format fuzz stability bench-grader
+SELF_PREPARING := deps demo test unit validate lint format fuzz stability bench-grader growth pace
 
 # These goals install what they lack. Make includes build/deps.mk, finds that it must be made, makes
 # it (the installation) and starts itself anew with the packages in place.
@@ -208,7 +208,7 @@ $(UNIT_TESTS): $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(UNIT_SUPPORT) $(
 unit: $(UNIT_TESTS) $(RUNNERS) ## build and run the unit tests
 	@failed=0; for t in $(UNIT_TESTS); do echo "== $$t"; $$t || failed=1; done; exit $$failed
 
-test: all $(UNIT_TESTS) replays ## every test; ends with "N passed, N failed, N skipped"
+test: all $(UNIT_TESTS) replays $(BUILD)/tests/growth/known ## every test; ends with "N passed, N failed, N skipped"
 	@tests/run $(BUILD)
 
 validate: all ## every known-verdict submission gets its verdict
@@ -222,6 +222,17 @@ demo: all ## grade a class of real submissions; the report is build/demo/index.h
 
 bench-grader: all ## what a verdict costs, and where the time goes
 	@tests/bench-grader.sh
+
+# Programs that check the grader's decisions on real solutions; see bench/measure/README.md.
+$(BUILD)/tests/growth/known: $(BUILD)/tests/growth/known.o $(BUILD)/libmeshgrade.a
+	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ $(LDLIBS)
+DECISIONS ?= 1000
+$(BUILD)/tests/pace/two_witness: $(BUILD)/tests/pace/two_witness.o $(BUILD)/libmeshgrade.a
+	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ $(LDLIBS)
+pace: all $(BUILD)/tests/pace/two_witness ## how often the witness of time is wrong, under load, in DECISIONS
+	@$(BUILD)/tests/pace/two_witness $(DECISIONS)
+growth: all $(BUILD)/tests/growth/known ## the growth decision on some hundred solutions of known growth
+	@$(BUILD)/tests/growth/known
 
 RUNS ?= 5
 CLASS ?= known
@@ -274,5 +285,5 @@ help: ## this list
 	@echo "make [goal] [config=release|debug|asan|coverage]"
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
 
-.PHONY: all unit test validate demo bench-grader stability lint format fuzz replays deps clean help
+.PHONY: all unit test validate demo bench-grader growth pace stability lint format fuzz replays deps clean help
 -include $(shell find build -name '*.d' 2>/dev/null)

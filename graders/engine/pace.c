@@ -1,24 +1,22 @@
-/* The second witness of speed: paired runs of submission and reference.
- *
- * Both wait in boxes of their own, pinned to one CPU together with the engine, so that their CPU
- * clocks are exact when the engine reads them. Each pair gets the same fresh mesh; all CPU charged
- * between two readings counts, whatever the program did meanwhile. */
-#include "bench/measure/sign_test.h"
-#include "graders/engine/series.h"
-#include "graders/engine/trial.h"
+/* The second witness of speed; see pace.h and trial.h. */
+#include "graders/engine/pace.h"
 
-#include <sched.h>
+#include "bench/measure/sign_test.h"
+
 #include <string.h>
 
 enum { WARM_UP_PAIRS = 3 };
 static const struct call_limits limits = {30000000000LL, 5000000000LL};
 
-static int make_fresh(const struct yardstick *yardstick, int family, int size_index, uint64_t seed,
-                      struct input *input, struct error *err)
+/* ------------------------------------------------------------------- pairs */
+
+static int make_fresh(struct pace *pace, struct error *err)
 {
+    const struct yardstick *yardstick = pace->trial->yardstick;
+    struct input *input = &pace->fresh;
     struct writer writer = writer_growing();
-    int result =
-        yardstick->judge->make_sized(family, yardstick->sizes[size_index], seed, &writer, err);
+    int result = yardstick->judge->make_sized(pace->family, yardstick->sizes[pace->size_index],
+                                              yardstick->seed + 1000 + pace->pairs, &writer, err);
     if (result == 0 && (writer.failed || writer.count > input->region.capacity))
         result = error_set(err, "judge %s: inputs of one size differ in bytes",
                            yardstick->judge->exercise);
@@ -30,85 +28,109 @@ static int make_fresh(const struct yardstick *yardstick, int family, int size_in
     return result;
 }
 
-/* One pair. *ratio gets 0 when it cannot be used; *right says whether the submission answered. */
-static int run_pair(struct series *reference, struct series *submission, const struct input *input,
-                    double *ratio, bool *right, struct error *err)
+int pace_pair(struct pace *pace, double *ratio, struct error *err)
 {
     struct attempt theirs = {0}, mine = {0};
     *ratio = 0;
-    *right = false;
-    if (series_call(reference, input, 0, &limits, &theirs) != CALL_ANSWERED)
+    pace->right = false;
+    if (make_fresh(pace, err) != 0)
+        return -1;
+    pace->pairs++;
+    if (series_call(&pace->reference, &pace->fresh, 0, &limits, &theirs) != CALL_ANSWERED)
         return error_set(err, "the reference did not answer in a paired run");
-    if (series_call(submission, input, 0, &limits, &mine) != CALL_ANSWERED)
+    if (series_call(&pace->submission, &pace->fresh, 0, &limits, &mine) != CALL_ANSWERED)
         return 0;
-    int result = attempt_judge(submission->yardstick, input, &submission->session, &mine, err);
-    *right = result == 0 && mine.verdict == VERDICT_PASSED;
+    int result =
+        attempt_judge(pace->trial->yardstick, &pace->fresh, &pace->submission.session, &mine, err);
+    pace->right = result == 0 && mine.verdict == VERDICT_PASSED;
     if (theirs.cpu_ns > 0)
         *ratio = (double)mine.cpu_ns / (double)theirs.cpu_ns;
     attempt_release(&mine);
     return result;
 }
 
-static int run_pairs(struct trial *trial, int family, int size_index, struct series *reference,
-                     struct series *submission, struct input *input, struct sign_test *test,
-                     struct error *err)
+/* ----------------------------------------------------------- start and end */
+
+static void pin(int cpu)
 {
-    struct yardstick *yardstick = trial->yardstick;
-    for (int pair = -WARM_UP_PAIRS; sign_test_decision(test) == SIGN_OPEN; pair++) {
-        double ratio;
-        bool right;
-        if (make_fresh(yardstick, family, size_index,
-                       yardstick->seed + 1000 + (uint64_t)(pair + WARM_UP_PAIRS), input,
-                       err) != 0 ||
-            run_pair(reference, submission, input, &ratio, &right, err) != 0)
-            return -1;
-        if (!right) {
-            test->above = SIGN_TEST_LEAD + test->below; /* no credit for wrong answers */
-            return 0;
-        }
-        if (pair >= 0)
-            sign_test_add(test, ratio);
-    }
-    return 0;
+    cpu_set_t here;
+    CPU_ZERO(&here);
+    CPU_SET((size_t)cpu, &here);
+    sched_setaffinity(0, sizeof here, &here);
 }
 
-int trial_is_slower(struct trial *trial, int family, int size_index, double bound, bool *slower,
-                    struct error *err)
+static int start_both(struct pace *pace, const struct input *sample, struct error *err)
 {
-    struct yardstick *yardstick = trial->yardstick;
-    struct series reference, submission;
-    struct sign_test test = {.bound = bound};
-    const struct input *sample;
-    struct attempt ignored = {0};
-    cpu_set_t before, here;
-    if (yardstick_sized(yardstick, family, size_index, &sample, err) != 0)
-        return -1;
-    struct input fresh = {.answer_bound = sample->answer_bound};
-    if (region_make(&fresh.region, sample->bytes, false, err) != 0)
-        return -1;
-    struct series_plan plan = {.yardstick = yardstick,
-                               .build = &yardstick->reference,
+    struct trial *trial = pace->trial;
+    struct series_plan plan = {.yardstick = trial->yardstick,
+                               .build = &trial->yardstick->reference,
                                .tool = SERIES_PLAIN,
                                .input_bytes = sample->bytes,
                                .answer_bytes = sample->answer_bound,
                                .cpu = sched_getcpu()};
-    sched_getaffinity(0, sizeof before, &before);
-    CPU_ZERO(&here);
-    CPU_SET((size_t)plan.cpu, &here);
-    sched_setaffinity(0, sizeof here, &here);
-    int result = series_start(&reference, &plan, err);
+    pin(plan.cpu);
+    if (series_start(&pace->reference, &plan, err) != 0)
+        return -1;
     plan.build = &trial->build;
-    int second = series_start(&submission, &plan, err);
-    if (result == 0 && second == 0)
-        result = run_pairs(trial, family, size_index, &reference, &submission, &fresh, &test, err);
-    else
+    return series_start(&pace->submission, &plan, err);
+}
+
+int pace_start(struct pace *pace, struct trial *trial, int family, int size_index,
+               struct error *err)
+{
+    const struct input *sample;
+    *pace = (struct pace){.trial = trial,
+                          .family = family,
+                          .size_index = size_index,
+                          .right = true,
+                          .reference = series_none(),
+                          .submission = series_none(),
+                          .fresh = {.region = {.fd = -1}}};
+    sched_getaffinity(0, sizeof pace->before, &pace->before);
+    if (yardstick_sized(trial->yardstick, family, size_index, &sample, err) != 0)
+        return -1;
+    pace->fresh.answer_bound = sample->answer_bound;
+    if (region_make(&pace->fresh.region, sample->bytes, false, err) != 0 ||
+        start_both(pace, sample, err) != 0)
+        return -1;
+    for (int i = 0; i < WARM_UP_PAIRS && pace->right; i++) {
+        double ignored;
+        if (pace_pair(pace, &ignored, err) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+int pace_end(struct pace *pace, struct error *err)
+{
+    struct attempt ignored = {0};
+    int result = 0;
+    sched_setaffinity(0, sizeof pace->before, &pace->before);
+    if (pace->submission.started)
+        result = series_end(&pace->submission, &ignored, err);
+    series_release(&pace->submission);
+    series_release(&pace->reference);
+    region_release(&pace->fresh.region);
+    return result;
+}
+
+/* ---------------------------------------------------------------- decision */
+
+int trial_is_slower(struct trial *trial, int family, int size_index, double bound, bool *slower,
+                    struct error *err)
+{
+    struct sign_test test = {.bound = bound};
+    struct pace pace;
+    int result = pace_start(&pace, trial, family, size_index, err);
+    while (result == 0 && pace.right && sign_test_decision(&test) == SIGN_OPEN) {
+        double ratio;
+        result = pace_pair(&pace, &ratio, err);
+        if (pace.right)
+            sign_test_add(&test, ratio);
+    }
+    if (pace_end(&pace, err) != 0)
         result = -1;
-    sched_setaffinity(0, sizeof before, &before);
-    if (submission.started && series_end(&submission, &ignored, err) != 0)
-        result = -1;
-    series_release(&submission);
-    series_release(&reference);
-    region_release(&fresh.region);
-    *slower = sign_test_decision(&test) == SIGN_ABOVE;
+    /* no credit for wrong answers */
+    *slower = !pace.right || sign_test_decision(&test) == SIGN_ABOVE;
     return result;
 }

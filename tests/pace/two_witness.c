@@ -1,0 +1,171 @@
+/* The second witness of speed on this machine, under load: how often is it wrong?
+ *
+ * Known submissions are timed against the reference in pairs, as grading does. The median of many
+ * pairs is a submission's true ratio; the bound is then set so that the true ratio is 0.7 and 1.5
+ * times the bound, and the decision is taken again and again, each time in fresh processes. Beside
+ * it run busy processes. The first witness, the counted cost, repeats bit for bit and cannot err.
+ *
+ *   two_witness [DECISIONS [BUSY]]     defaults 1000 and twice the number of cores
+ *
+ * Prints a table in Markdown; exits 1 when a decision at 0.7 or 1.5 was wrong. */
+#include "graders/engine/files.h"
+#include "graders/engine/pace.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { BUSY_MAX = 64, MEDIAN_PAIRS = 151 };
+
+static const struct subject {
+    const char *exercise, *path; /* below tests/submissions */
+} subjects[] = {
+    {"mesh-area", "processing/mesh-area/slow/slices.c"},
+    {"edge-table-any", "edges/edge-table-any/right/sort.c"},
+    {"edge-table-any", "edges/edge-table-any/right/hash-table.c"},
+    {"edge-table-closed", "edges/edge-table-closed/slow/sort.c"},
+};
+enum { SUBJECT_COUNT = sizeof subjects / sizeof *subjects };
+
+/* True ratios in bounds. The middle ones are for information: near 1 any rule tosses a coin. */
+static const struct distance {
+    double factor;
+    bool required;
+} distances[] = {{0.7, true}, {0.9, false}, {1.1, false}, {1.5, true}};
+enum { DISTANCE_COUNT = sizeof distances / sizeof *distances };
+
+/* ----------------------------------------------------------------------- load */
+
+static pid_t busy[BUSY_MAX];
+static int busy_count;
+
+static void start_busy(int count)
+{
+    for (busy_count = 0; busy_count < count && busy_count < BUSY_MAX; busy_count++) {
+        busy[busy_count] = fork();
+        if (busy[busy_count] == 0) {
+            prctl(PR_SET_PDEATHSIG, SIGKILL);
+            for (volatile unsigned spin = 0;; spin++) {
+            }
+        }
+    }
+}
+
+static void stop_busy(void)
+{
+    for (int i = 0; i < busy_count; i++)
+        if (busy[i] > 0) {
+            kill(busy[i], SIGKILL);
+            waitpid(busy[i], NULL, 0);
+        }
+}
+
+/* -------------------------------------------------------------------- decisions */
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static int find_true_ratio(struct trial *trial, int size_index, double *median, struct error *err)
+{
+    double ratios[MEDIAN_PAIRS];
+    struct pace pace;
+    int result = pace_start(&pace, trial, 0, size_index, err);
+    for (int i = 0; result == 0 && i < MEDIAN_PAIRS; i++)
+        if (pace_pair(&pace, &ratios[i], err) != 0 || !pace.right)
+            result = error_set(err, "a pair failed while the true ratio was measured");
+    if (pace_end(&pace, err) != 0 || result != 0)
+        return -1;
+    qsort(ratios, MEDIAN_PAIRS, sizeof *ratios, by_size);
+    *median = ratios[MEDIAN_PAIRS / 2];
+    return 0;
+}
+
+static int decide(struct trial *trial, const char *name, int decisions, int *wrong_required,
+                  struct error *err)
+{
+    double true_ratio;
+    int size_index = trial->yardstick->size_count - 1;
+    if (find_true_ratio(trial, size_index, &true_ratio, err) != 0)
+        return -1;
+    printf("| %s | %.2f |", name, true_ratio);
+    for (int d = 0; d < DISTANCE_COUNT; d++) {
+        int wrong = 0, count = distances[d].required ? decisions : decisions / 5 + 1;
+        for (int i = 0; i < count; i++) {
+            bool slower;
+            if (trial_is_slower(trial, 0, size_index, true_ratio / distances[d].factor, &slower,
+                                err) != 0)
+                return -1;
+            wrong += slower != (distances[d].factor > 1);
+        }
+        *wrong_required += distances[d].required ? wrong : 0;
+        printf(" %d of %d |", wrong, count);
+        fflush(stdout);
+    }
+    puts("");
+    return 0;
+}
+
+static int try_subject(const struct subject *subject, int decisions, int *wrong, struct error *err)
+{
+    const char *root = project_root(err);
+    struct exercise *exercises = NULL;
+    struct yardstick yardstick;
+    struct trial trial = {0};
+    char path[PATH_MAX], *text = NULL;
+    size_t bytes;
+    int count;
+    if (!root || exercises_read(root, &exercises, &count, err) != 0)
+        return -1;
+    snprintf(path, sizeof path, "%s/tests/submissions/%s", root, subject->path);
+    int result =
+        yardstick_make(&yardstick, exercise_find(exercises, count, subject->exercise), true, err);
+    if (result == 0)
+        result = file_read(path, 1 << 20, &text, &bytes, err);
+    if (result == 0) {
+        struct source source = {"answer.c", text, bytes};
+        trial.yardstick = &yardstick;
+        result = build_submission(yardstick.exercise, &source, 1, &trial.build, err);
+        if (result == 0)
+            result = decide(&trial, subject->path, decisions, wrong, err);
+        build_release(&trial.build);
+    }
+    free(text);
+    yardstick_release(&yardstick);
+    free(exercises);
+    return result;
+}
+
+int main(int argc, char **argv)
+{
+    int decisions = argc > 1 ? atoi(argv[1]) : 1000, wrong = 0, result = 0;
+    int load = argc > 2 ? atoi(argv[2]) : 2 * (int)sysconf(_SC_NPROCESSORS_ONLN);
+    int each = (decisions + 2 * SUBJECT_COUNT - 1) / (2 * SUBJECT_COUNT);
+    struct error err = {0};
+    if (decisions < 1 || load < 0) {
+        fprintf(stderr, "usage: two_witness [DECISIONS [BUSY]]\n");
+        return 64;
+    }
+    start_busy(load);
+    printf("%d busy processes beside. Wrong decisions at true ratio over bound:\n\n"
+           "| submission | true ratio |",
+           busy_count);
+    for (int d = 0; d < DISTANCE_COUNT; d++)
+        printf(" %.1f |", distances[d].factor);
+    puts("\n|---|---|---|---|---|---|");
+    for (int i = 0; result == 0 && i < SUBJECT_COUNT; i++)
+        result = try_subject(&subjects[i], each, &wrong, &err);
+    stop_busy();
+    if (result != 0) {
+        fprintf(stderr, "two_witness: %s\n", err.text);
+        return 2;
+    }
+    printf("\n%d decisions at 0.7 and 1.5: %d wrong\n", 2 * each * SUBJECT_COUNT, wrong);
+    return wrong > 0;
+}
