@@ -200,17 +200,17 @@ static void add_times(const struct row *row, json_t *object)
 static void add_samples(const struct row *row, json_t *object)
 {
     json_int_t samples = 0, dropped = 0;
-    bool noisy = false;
+    int noisy_blocks = 0;
     for (int i = 0; i < row->all->block_count; i++) {
         const json_t *measure =
             measure_in(row->all->blocks[i], row->contender->name, row->operation);
         samples += json_integer_value(json_object_get(measure, "samples"));
         dropped += json_integer_value(json_object_get(measure, "dropped"));
-        noisy |= json_is_true(json_object_get(measure, "warm_noisy"));
+        noisy_blocks += json_is_true(json_object_get(measure, "warm_noisy"));
     }
     json_object_set_new(object, "samples", json_integer(samples));
     json_object_set_new(object, "dropped", json_integer(dropped));
-    json_object_set_new(object, "noisy", json_boolean(noisy));
+    json_object_set_new(object, "noisy", json_boolean(2 * noisy_blocks > row->all->block_count));
 }
 
 static void add_limit(const struct row *row, json_t *object)

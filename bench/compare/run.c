@@ -183,7 +183,7 @@ static int go_round(const struct run_wish *wish, int number, int64_t start,
 int run_plan(const struct run_wish *wish, struct journal *journal, struct error *err)
 {
     char meshes[PATH_MAX];
-    struct core_watch watch = {.best = 0};
+    struct core_watch watch = {.samples = 0};
     int64_t start = wall_ns();
     int most_blocks = 0;
     snprintf(meshes, sizeof meshes, "%s/meshes", wish->folder);

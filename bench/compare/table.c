@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { NUMBER = 24, NAME_WIDTH = 24 };
+enum { NUMBER = 24, NAME_WIDTH = 22 };
 
 struct table {
     FILE *to;
@@ -106,7 +106,7 @@ static void write_title(const struct table *table, const json_t *document, const
 
 static const struct {
     const char *operation, *head;
-} sweeps[] = {{"bytes", "bytes"}, {"build", "build"},          {"transform", "transform"},
+} sweeps[] = {{"bytes", "bytes"}, {"build", "build"},          {"transform", "move"},
               {"area", "area"},   {"face-normals", "face n."}, {"vertex-normals", "vertex n."},
               {"edges", "edges"}, {"boundary-loops", "loops"}, {"smooth", "smooth"}},
   queries[] = {{"faces-around-vertex", "faces of vertex"},
@@ -116,8 +116,8 @@ static const struct {
 enum {
     SWEEPS = sizeof sweeps / sizeof *sweeps,
     QUERIES = sizeof queries / sizeof *queries,
-    SWEEP_WIDTH = 8,
-    QUERY_WIDTH = 18
+    SWEEP_WIDTH = 9,
+    QUERY_WIDTH = 20
 };
 
 /* The row of that subject and operation on the same mesh. */

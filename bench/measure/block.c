@@ -8,26 +8,43 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WATCH_LOOKS = 300, RETRIES = 3 };
-static const double FULL_SPEED = 0.95;
+enum { RETRIES = 3 };
+static const double SLOWED = 0.90;
 static const double LONG_NS = 3e8; /* one sample of so long a call is enough */
+
+static int by_speed(const void *left, const void *right)
+{
+    double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+static void note_speed(struct core_watch *watch, double speed)
+{
+    watch->recent[watch->next] = speed;
+    watch->next = (watch->next + 1) % CORE_WATCH_RECENT;
+    if (watch->recent_count < CORE_WATCH_RECENT)
+        watch->recent_count++;
+    if (watch->next % 16 == 0 || watch->recent_count < 16) {
+        double sorted[CORE_WATCH_RECENT];
+        memcpy(sorted, watch->recent, (size_t)watch->recent_count * sizeof *sorted);
+        qsort(sorted, (size_t)watch->recent_count, sizeof *sorted, by_speed);
+        watch->full_speed = sorted[3 * (watch->recent_count - 1) / 4];
+    }
+}
 
 void core_watch_begin(struct core_watch *watch)
 {
-    for (int i = 0; i < WATCH_LOOKS; i++) {
-        double speed = core_speed(CORE_SPEED_ROUNDS);
-        if (speed > watch->best)
-            watch->best = speed;
-    }
+    for (int i = 0; i < CORE_WATCH_RECENT; i++)
+        note_speed(watch, core_speed(CORE_SPEED_ROUNDS));
 }
 
 bool core_watch_accepts(struct core_watch *watch, double before, double after)
 {
-    double slower = before < after ? before : after, faster = before > after ? before : after;
-    if (faster > watch->best)
-        watch->best = faster;
+    double slower = before < after ? before : after;
+    note_speed(watch, before);
+    note_speed(watch, after);
     watch->samples++;
-    bool accepted = slower >= FULL_SPEED * watch->best;
+    bool accepted = slower >= SLOWED * watch->full_speed;
     watch->dropped += !accepted;
     return accepted;
 }

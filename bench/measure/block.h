@@ -17,14 +17,19 @@
 
 enum { BLOCK_PROGRAMS_MAX = 24, BLOCK_OPERATIONS_MAX = 24, BLOCK_TEXT = 200 };
 
-/* How fast the core runs when nobody slows it: samples whose surroundings ran below 95 % of the
- * best speed seen are dropped and tried again. Start with {0}, or with a best from before. */
+/* How fast the core runs when nobody slows it. Samples whose surroundings ran below 90 % of that
+ * are dropped and tried again: a neighbour on the sibling hyperthread takes a third to a half. The
+ * measure is the upper quartile of the recent speeds, not the best one, since short loops now and
+ * then look faster than they are. Start with {0}. */
+enum { CORE_WATCH_RECENT = 256 };
 struct core_watch {
-    double best; /* additions per ns */
+    double recent[CORE_WATCH_RECENT]; /* additions per ns, the last ones */
+    int recent_count, next;
+    double full_speed; /* their upper quartile */
     int64_t samples, dropped;
 };
 
-/* Looks at the core for some 30 ms, so that `best` is known before the first sample. */
+/* Looks at the core for some 30 ms, so that full_speed is known before the first sample. */
 void core_watch_begin(struct core_watch *watch);
 
 /* Whether a sample with these speeds before and after it counts; keeps the tally. */
