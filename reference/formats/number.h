@@ -67,8 +67,10 @@ static inline const char *number_long_integer(const char *at, int64_t *value)
     at += *at == '-' || *at == '+';
     uint64_t magnitude = 0;
     const char *end = number_take_digits(at, &magnitude);
+    if (end == at || end - at > 15)
+        return NULL;
     *value = is_negative ? -(int64_t)magnitude : (int64_t)magnitude;
-    return end > at && end - at <= 15 ? end : NULL;
+    return end;
 }
 
 /* A sign or none, then at most 15 digits. */

@@ -183,7 +183,12 @@ static void integers_are_read_or_left(void **state)
         assert_int_equal(*behind, '/');
     }
     int64_t value;
-    static const char *const wrong[] = {"\n       ", "-\n       ", "x\n       ", "+-1\n       "};
+    static const char *const wrong[] = {"\n       ",
+                                        "-\n       ",
+                                        "x\n       ",
+                                        "+-1\n       ",
+                                        "-9223372036854775808\n       ",
+                                        "-92233720368547758080000000000\n       "};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         assert_null(number_integer(wrong[i], &value));
 }
