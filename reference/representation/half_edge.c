@@ -214,9 +214,9 @@ int half_edge_check(const struct half_edge_mesh *he, struct error *err)
     uint8_t *marked = calloc(2 * (size_t)he->half_edge_count + 1, 1);
     if (!marked)
         return error_set(err, "out of memory: checking %d half edges", he->half_edge_count);
-    int result =
-        check_faces(he, marked, err) || check_vertices(he, marked + he->half_edge_count, err) ? -1
-                                                                                              : 0;
+    int result = check_faces(he, marked, err);
+    if (!result)
+        result = check_vertices(he, marked + he->half_edge_count, err);
     free(marked);
     return result;
 }
