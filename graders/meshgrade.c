@@ -2,9 +2,13 @@
 #include "graders/commands/options.h"
 #include "graders/engine/score.h"
 
+#include <errno.h>
+#include <jansson.h>
 #include <locale.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct command *const commands[] = {
     &command_list,   &command_start,  &command_check,    &command_grade,
@@ -25,8 +29,31 @@ static void print_usage(FILE *to)
                 "wrong usage\n");
 }
 
+/* A value that lacks a part for want of memory would be a wrong mark, and jansson cannot be asked
+ * whether it does. So want of memory in it ends this process: a worker's end is a fault. */
+static void *allocate_or_end(size_t bytes)
+{
+    static const char words[] = "meshgrade: out of memory\n";
+    void *block = malloc(bytes);
+    if (block)
+        return block;
+    if (write(STDERR_FILENO, words, sizeof words - 1) < 0)
+        _exit(EXIT_FAULT);
+    _exit(EXIT_FAULT);
+}
+
+/* What was printed may not have arrived: a full disk, a closed pipe. */
+static int close_output(int code)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return code;
+    fprintf(stderr, "meshgrade: the output could not be written: %s\n", strerror(errno));
+    return EXIT_FAULT;
+}
+
 int main(int argc, char **argv)
 {
+    json_set_alloc_funcs(allocate_or_end, free);
     setlocale(LC_CTYPE, "C.UTF-8"); /* for the width of characters; numbers stay as in C */
     const char *name = argc > 1 ? argv[1] : "";
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
@@ -39,7 +66,7 @@ int main(int argc, char **argv)
     }
     for (int i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(commands[i]->name, name) == 0)
-            return commands[i]->run(argc - 1, argv + 1);
+            return close_output(commands[i]->run(argc - 1, argv + 1));
     if (*name)
         fprintf(stderr, "meshgrade: there is no command \"%s\"\n\n", name);
     print_usage(stderr);

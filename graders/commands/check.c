@@ -87,12 +87,10 @@ static int check(const struct exercise *exercise, const struct upload *upload,
 static int show(const struct request *request, json_t *result)
 {
     struct terminal_style style = style_for(stdout, request->language);
-    if (request->json) {
-        json_dumpf(result, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
-        putchar('\n');
-    } else {
+    if (!request->json)
         terminal_print_result(stdout, result, &style);
-    }
+    else if (print_value(result) != 0)
+        return EXIT_FAULT;
     return exit_code_of(result);
 }
 

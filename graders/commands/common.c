@@ -4,6 +4,7 @@
 #include "graders/commands/options.h"
 #include "graders/engine/files.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +14,15 @@ int report_fault(const struct error *err)
 {
     fprintf(stderr, "meshgrade: %s\n", err->text);
     return EXIT_FAULT;
+}
+
+int print_value(const json_t *value)
+{
+    if (json_dumpf(value, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(15)) == 0 &&
+        putchar('\n') != EOF)
+        return 0;
+    fprintf(stderr, "meshgrade: the result could not be written: %s\n", strerror(errno));
+    return -1;
 }
 
 int load_exercises(struct exercise **exercises, int *count)

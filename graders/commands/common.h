@@ -6,6 +6,7 @@
 #include "graders/report/terminal.h"
 #include "reference/mesh/error.h"
 
+#include <jansson.h>
 #include <stdio.h>
 
 /* The exercises of this tree; the caller frees *exercises. Says what is wrong and returns -1. */
@@ -19,6 +20,10 @@ struct terminal_style style_for(FILE *stream, const char *language);
 
 /* Prints "meshgrade: ..." and returns EXIT_FAULT. */
 int report_fault(const struct error *err);
+
+/* Prints a value and the end of the line on the standard output. Returns 0, or -1 after saying that
+ * it could not be written. */
+int print_value(const json_t *value) MUST_CHECK;
 
 /* build/meshgrade-render beside this program. */
 const char *renderer_path(void);

@@ -98,7 +98,7 @@ static void add_viewer(struct finding *findings, int *count)
                          .remedy = "apt-get install libjs-three; pages then have pictures only"};
 }
 
-static void print_json(const struct finding *findings, int count)
+static int print_json(const struct finding *findings, int count)
 {
     json_auto_t *list = json_array();
     for (int i = 0; i < count; i++)
@@ -107,8 +107,7 @@ static void print_json(const struct finding *findings, int count)
                                         "works", findings[i].works, "needed", findings[i].needed,
                                         "reason", findings[i].works ? "" : findings[i].reason,
                                         "remedy", findings[i].works ? "" : findings[i].remedy));
-    json_dumpf(list, stdout, JSON_INDENT(2));
-    putchar('\n');
+    return print_value(list);
 }
 
 static void print_table(const struct finding *findings, int count)
@@ -138,7 +137,10 @@ static int run(int argc, char **argv)
     add_grading(findings, &count);
     add_pictures(findings, &count);
     add_viewer(findings, &count);
-    (json ? print_json : print_table)(findings, count);
+    if (!json)
+        print_table(findings, count);
+    else if (print_json(findings, count) != 0)
+        return EXIT_FAULT;
     for (int i = 0; i < count; i++) {
         if (!findings[i].works && findings[i].needed)
             return EXIT_FAULT;

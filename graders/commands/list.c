@@ -1,4 +1,5 @@
 /* meshgrade list: the exercises. */
+#include "graders/commands/common.h"
 #include "graders/commands/options.h"
 #include "graders/engine/exercise.h"
 #include "graders/engine/files.h"
@@ -7,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void print_json(const struct exercise *exercises, int count)
+static int print_json(const struct exercise *exercises, int count)
 {
     json_auto_t *list = json_array();
     for (int i = 0; i < count; i++) {
@@ -17,8 +18,7 @@ static void print_json(const struct exercise *exercises, int count)
                                               "en", e->title.english, "es", e->title.spanish,
                                               "max_score", e->max_score));
     }
-    json_dumpf(list, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
-    putchar('\n');
+    return print_value(list);
 }
 
 static int run(int argc, char **argv)
@@ -27,7 +27,7 @@ static int run(int argc, char **argv)
     const struct option_rule rules[] = {{"json", 0, NULL, "as JSON", NULL, &json}, {0}};
     struct exercise *exercises;
     struct error err = {""};
-    int count;
+    int count, code = EXIT_PASSED;
     if (options_parse(&command_list, rules, argc, argv) < 0)
         return EXIT_USAGE;
     const char *root = project_root(&err);
@@ -35,13 +35,13 @@ static int run(int argc, char **argv)
         fprintf(stderr, "meshgrade: %s\n", err.text);
         return EXIT_FAULT;
     }
-    if (json)
-        print_json(exercises, count);
+    if (json && print_json(exercises, count) != 0)
+        code = EXIT_FAULT;
     for (int i = 0; i < count && !json; i++)
         printf("%-24s %-8s %4.4g points  %s\n", exercises[i].name, exercises[i].problem,
                exercises[i].max_score, exercises[i].title.english);
     free(exercises);
-    return EXIT_PASSED;
+    return code;
 }
 
 const struct command command_list = {"list", "", "the exercises, their problems and points", run};

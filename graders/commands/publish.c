@@ -62,10 +62,10 @@ int publish(const char *out, bool pictures, bool json, struct error *err)
         return EXIT_FAULT;
     json_auto_t *results = load_results(out);
     struct terminal_style style = style_for(stdout, NULL);
-    if (json)
-        json_dumpf(results, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
-    else
+    if (!json)
         terminal_print_marks(stdout, results, &style);
+    else if (print_value(results) != 0)
+        return EXIT_FAULT;
     snprintf(page, sizeof page, "%s/index.html", out);
     fprintf(stderr, "class page: %s\n", realpath(page, absolute) ? absolute : page);
     return exit_code(results);

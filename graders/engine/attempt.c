@@ -39,9 +39,6 @@ static void explain_signal(int signal_number, const struct control *claims, stru
         attempt_say(attempt, VERDICT_CRASH, "illegal-instruction",
                     "Your function executed an instruction that this machine does not have.",
                     "Su función ejecutó una instrucción que esta máquina no tiene.");
-    else if (signal_number != SIGSEGV && signal_number != SIGBUS)
-        attempt_say(attempt, VERDICT_CRASH, "signal", "Your function ended by signal %d.",
-                    "Su función terminó por la señal %d.", signal_number);
     else if (in_answer)
         attempt_say(attempt, VERDICT_CRASH, "wild-pointer",
                     "The pointer that your function returned cannot be read as far as its count "
@@ -87,9 +84,29 @@ static void explain_out_of_memory(struct attempt *attempt)
                 "Su función pidió más memoria de la permitida.");
 }
 
-void attempt_explain_death(enum call_end end, const struct control *claims,
-                           const struct box_outcome *outcome, struct attempt *attempt)
+/* What a program's own doing can end it with: it may send itself no signal but abort's. */
+static bool is_own_signal(int signal_number)
 {
+    static const int own[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS};
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        if (own[i] == signal_number)
+            return true;
+    return false;
+}
+
+int attempt_explain_death(enum call_end end, const struct control *claims,
+                          const struct box_outcome *outcome, struct attempt *attempt,
+                          struct error *err)
+{
+    bool killed_by_us = end == CALL_CPU || end == CALL_IDLE;
+    if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == EXIT_NO_REGIONS &&
+        claims->phase == PHASE_START)
+        return error_set(err, "the runner could not map its memory; is memory short?");
+    if (outcome->end == BOX_ENDED_SIGNAL && !killed_by_us && !is_own_signal(outcome->signal))
+        return error_set(err,
+                         "the submission's program was killed by signal %d from outside its box; "
+                         "is something on this machine ending processes, or is memory short?",
+                         outcome->signal);
     if (outcome->end == BOX_ENDED_FORBIDDEN)
         explain_refused_call(outcome, attempt);
     else if (outcome->end == BOX_ENDED_MEMORY || claims->refused_count > 0)
@@ -115,6 +132,7 @@ void attempt_explain_death(enum call_end end, const struct control *claims,
         attempt_say(attempt, VERDICT_CRASH, "broken-protocol",
                     "Your function damaged the program that called it.",
                     "Su función dañó el programa que la llamó.");
+    return 0;
 }
 
 /* ----------------------------------------------------------------- answers */
@@ -220,7 +238,7 @@ int attempt_run(const struct yardstick *yardstick, const struct build *build,
     if (result == 0 && end == CALL_ANSWERED)
         result = attempt_judge(yardstick, input, &session, attempt, err);
     else if (result == 0)
-        attempt_explain_death(end, &attempt->claims, &attempt->outcome, attempt);
+        result = attempt_explain_death(end, &attempt->claims, &attempt->outcome, attempt, err);
     session_release(&session);
     return result;
 }

@@ -38,9 +38,12 @@ int attempt_judge(const struct yardstick *yardstick, const struct input *input,
                   const struct session *session, struct attempt *attempt,
                   struct error *err) MUST_CHECK;
 
-/* Sets verdict and texts for a program that did not come back. */
-void attempt_explain_death(enum call_end end, const struct control *claims,
-                           const struct box_outcome *outcome, struct attempt *attempt);
+/* Sets verdict and texts for a program that did not come back. Returns 0, or -1 and *err for a
+ * fault: it was killed by a signal that it cannot send itself and that no limit of ours sends, or
+ * the runner had no memory. */
+int attempt_explain_death(enum call_end end, const struct control *claims,
+                          const struct box_outcome *outcome, struct attempt *attempt,
+                          struct error *err) MUST_CHECK;
 
 /* Sets verdict, cause and both sentences (same arguments for both). */
 void attempt_say(struct attempt *attempt, enum verdict verdict, const char *cause,

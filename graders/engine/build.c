@@ -25,8 +25,8 @@ enum {
     SCRIPT_BYTES = 16384
 };
 
-/* Exit codes of the build script: the stage that failed. */
-enum { STAGE_PREPROCESS = 10, STAGE_COMPILE = 11, STAGE_LINK = 12 };
+/* Exit codes of the build script: the stage that failed, or that the tools fail on any program. */
+enum { STAGE_PREPROCESS = 10, STAGE_COMPILE = 11, STAGE_LINK = 12, STAGE_TOOLS = 13 };
 
 static const char *const program_names[PROGRAM_COUNT] = {"plain", "sanitized", "checked"};
 
@@ -104,6 +104,20 @@ __attribute__((format(printf, 2, 3))) static void add(struct script *script, con
         script->count += (size_t)added;
 }
 
+/* A failed stage is the submission's fault only if the same tools can build another program in the
+ * same folder: else the disk is full, or a part of the compiler is missing. */
+static void add_probe(struct script *script)
+{
+    add(script,
+        "fail() {\n"
+        "echo 'int main(void) { return 0; }' >.probe.c && gcc -static .probe.c -lm -o .probe && "
+        "objcopy .probe .probed && gcc -fsanitize=address,undefined .probe.c -lm -o .probe && "
+        "exit $1\n"
+        "exit %d\n"
+        "}\n",
+        STAGE_TOOLS);
+}
+
 static bool is_c_file(const char *name)
 {
     size_t length = strlen(name);
@@ -114,32 +128,33 @@ static void write_script(const struct exercise *exercise, const struct source *s
                          struct script *script)
 {
     char objects[2][1024] = {"", ""};
+    add_probe(script);
     for (int i = 0; i < count; i++) {
         if (!is_c_file(sources[i].name))
             continue;
-        add(script, "gcc " COMMON_FLAGS " -fno-working-directory -I. -E %s -o %d.i || exit %d\n",
+        add(script, "gcc " COMMON_FLAGS " -fno-working-directory -I. -E %s -o %d.i || fail %d\n",
             sources[i].name, i, STAGE_PREPROCESS);
         add(script,
-            "gcc " COMMON_FLAGS " " PLAIN_FLAGS " -fpreprocessed -c %d.i -o %d.o || exit %d\n", i,
+            "gcc " COMMON_FLAGS " " PLAIN_FLAGS " -fpreprocessed -c %d.i -o %d.o || fail %d\n", i,
             i, STAGE_COMPILE);
         add(script,
             "gcc " COMMON_FLAGS " " SANITIZED_FLAGS
-            " -w -fpreprocessed -c %d.i -o %d.s.o || exit %d\n",
+            " -w -fpreprocessed -c %d.i -o %d.s.o || fail %d\n",
             i, i, STAGE_COMPILE);
         size_t used = strlen(objects[0]), used_s = strlen(objects[1]);
         snprintf(objects[0] + used, sizeof objects[0] - used, " %d.o", i);
         snprintf(objects[1] + used_s, sizeof objects[1] - used_s, " %d.s.o", i);
     }
-    add(script, "ld -r%s -o all.o && ld -r%s -o all.s.o || exit %d\n", objects[0], objects[1],
+    add(script, "ld -r%s -o all.o && ld -r%s -o all.s.o || fail %d\n", objects[0], objects[1],
         STAGE_LINK);
     add(script, "for o in all all.s; do objcopy");
     for (int i = 0; i < exercise->function_count; i++)
         add(script, " --keep-global-symbol=%s", exercise->functions[i]);
-    add(script, " $o.o $o.kept.o || exit %d; done\n", STAGE_LINK);
+    add(script, " $o.o $o.kept.o || fail %d; done\n", STAGE_LINK);
     add(script,
         "gcc -static " WRAPPED " runner-plain.o all.kept.o -lm -o plain && "
         "gcc -fsanitize=address,undefined runner-sanitized.o all.s.kept.o -lm -o sanitized && "
-        "gcc runner-checked.o all.kept.o -lm -o checked || exit %d\n",
+        "gcc runner-checked.o all.kept.o -lm -o checked || fail %d\n",
         STAGE_LINK);
 }
 
@@ -185,19 +200,34 @@ static int run_script(struct build *build, const char *text, struct box_outcome 
     return result;
 }
 
+/* What is no doing of the submission. */
+static int find_fault(const struct build *build, const struct box_outcome *outcome,
+                      struct error *err)
+{
+    if (outcome->end == BOX_ENDED_LOST)
+        return error_set(err, "build box: its own process vanished");
+    if (outcome->end == BOX_ENDED_SIGNAL)
+        return error_set(err, "build box: the shell was killed by signal %d; is memory short?",
+                         outcome->signal);
+    if (outcome->end == BOX_ENDED_KILLED)
+        return error_set(err, "build box: not done after %d s; the machine is overloaded",
+                         WALL_MS / 1000);
+    if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == STAGE_TOOLS)
+        return error_set(err,
+                         "build box: the compiler fails on any program: free some space in "
+                         "TMPDIR, or run make deps: %.300s",
+                         build->diagnostics);
+    return 0;
+}
+
 /* What the outcome of the script means for the submission. Returns 0, or -1: a fault. */
 static int judge_outcome(struct build *build, const struct box_outcome *outcome, struct error *err)
 {
     struct refusal *refusal = &build->refusal;
     if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == 0)
         return 0;
-    if (outcome->end == BOX_ENDED_LOST)
-        return error_set(err, "build box: its own process vanished");
-    if (outcome->end == BOX_ENDED_KILLED)
-        return error_set(err, "build box: not done after %d s; the machine is overloaded",
-                         WALL_MS / 1000);
-    if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == 127)
-        return error_set(err, "build box: gcc, ld or objcopy is missing; run make deps");
+    if (find_fault(build, outcome, err) != 0)
+        return -1;
     if (outcome->end == BOX_ENDED_MEMORY)
         refuse(refusal, "compiler-memory", "The compiler needed more than %d GB of memory.",
                "El compilador necesitó más de %d GB de memoria.", MEMORY_LIMIT_BYTES >> 30);

@@ -84,7 +84,7 @@ static int start_job(struct job *job, struct yardstick *yardstick, const struct 
         return error_set(err, "cannot start a worker: %s", strerror(errno));
     }
     job->pidfd = (int)syscall(SYS_pidfd_open, job->pid, 0);
-    return 0;
+    return job->pidfd >= 0 ? 0 : error_set(err, "cannot watch a worker: %s", strerror(errno));
 }
 
 /* Reaps a job; gives its outcome, or its fault as text. */

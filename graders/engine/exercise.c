@@ -2,11 +2,15 @@
  * json_unpack cannot. */
 #include "graders/engine/exercise.h"
 
+#include "graders/engine/files.h"
+
 #include <glob.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { FILE_LIMIT_BYTES = 1 << 20 };
 
 static const struct {
     const char *name, *english, *spanish;
@@ -103,6 +107,15 @@ static void refuse_unknown_keys(struct place *place, json_t *object, const char 
 
 /* ------------------------------------------------------------------- parts */
 
+/* The names stand in the build's shell script: nothing but C's identifiers may. */
+static bool is_identifier(const char *name)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    return *name && strchr(letters, *name) &&
+           name[strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789")] ==
+               '\0';
+}
+
 static void read_functions(struct place *place, const json_t *root, struct exercise *exercise)
 {
     const json_t *functions = json_object_get(root, "functions");
@@ -113,7 +126,7 @@ static void read_functions(struct place *place, const json_t *root, struct exerc
     }
     for (size_t i = 0; i < count; i++) {
         const char *name = json_string_value(json_array_get(functions, i));
-        if (!name || strlen(name) >= EXERCISE_NAME)
+        if (!name || strlen(name) >= EXERCISE_NAME || !is_identifier(name))
             complain(place, "functions", "names of functions");
         else
             strcpy(exercise->functions[exercise->function_count++], name);
@@ -202,22 +215,38 @@ static void read_root(struct place *place, json_t *root, struct exercise *exerci
     }
 }
 
-int exercise_read(const char *folder, struct exercise *exercise, struct error *err)
+int exercise_parse(const char *text, size_t count, const char *path, struct exercise *exercise,
+                   struct error *err)
 {
-    char path[PATH_MAX + 16];
     json_error_t problem;
     memset(exercise, 0, sizeof *exercise);
-    snprintf(exercise->folder, sizeof exercise->folder, "%s", folder);
-    snprintf(path, sizeof path, "%s/exercise.json", folder);
-    json_auto_t *root = json_load_file(path, JSON_REJECT_DUPLICATES, &problem);
+    snprintf(exercise->folder, sizeof exercise->folder, "%s", path);
+    char *slash = strrchr(exercise->folder, '/');
+    if (!slash)
+        return error_set(err, "%s: is in no folder", path);
+    *slash = '\0';
+    json_auto_t *root = json_loadb(text, count, JSON_REJECT_DUPLICATES, &problem);
     if (!root)
         return error_set(err, "%s:%d: %s", path, problem.line, problem.text);
     struct place place = {.file = path, .err = err};
     read_root(&place, root, exercise);
-    const char *last = strrchr(folder, '/');
-    if (!place.failed && strcmp(last ? last + 1 : folder, exercise->name) != 0)
+    const char *last = strrchr(exercise->folder, '/');
+    if (!place.failed && strcmp(last ? last + 1 : exercise->folder, exercise->name) != 0)
         complain(&place, "name", "the name of the folder");
     return place.failed ? -1 : 0;
+}
+
+int exercise_read(const char *folder, struct exercise *exercise, struct error *err)
+{
+    char path[PATH_MAX], *text;
+    size_t count;
+    if (snprintf(path, sizeof path, "%s/exercise.json", folder) >= (int)sizeof path)
+        return error_set(err, "%s: the path is too long", folder);
+    if (file_read(path, FILE_LIMIT_BYTES, &text, &count, err) != 0)
+        return -1;
+    int result = exercise_parse(text, count, path, exercise, err);
+    free(text);
+    return result;
 }
 
 static int by_order(const void *a, const void *b)

@@ -6,6 +6,7 @@
 
 #include <limits.h>
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 enum { EXERCISE_NAME = 64, EXERCISE_FUNCTIONS = 12, EXERCISE_CLASSES = 24 };
@@ -59,6 +60,12 @@ const char *check_title_spanish(enum check_kind check);
 
 /* Reads <folder>/exercise.json. Returns 0, or -1 and *err that names file, key and remedy. */
 int exercise_read(const char *folder, struct exercise *exercise, struct error *err) MUST_CHECK;
+
+/* Reads the text of an exercise.json.
+ *
+ * path      of the file, for errors; the exercise must bear its folder's name */
+int exercise_parse(const char *text, size_t count, const char *path, struct exercise *exercise,
+                   struct error *err) MUST_CHECK;
 
 /* Every exercise below <root>/exercises, sorted by `order`. The caller frees *exercises. */
 int exercises_read(const char *root, struct exercise **exercises, int *count,

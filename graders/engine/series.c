@@ -111,9 +111,9 @@ int series_end(struct series *series, struct attempt *attempt, struct error *err
     if (session_end(&series->session, &attempt->outcome, err) != 0)
         return -1;
     session_output(&series->session, attempt->output, sizeof attempt->output);
-    if (series->end != CALL_ANSWERED)
-        attempt_explain_death(series->end, &attempt->claims, &attempt->outcome, attempt);
-    return 0;
+    if (series->end == CALL_ANSWERED)
+        return 0;
+    return attempt_explain_death(series->end, &attempt->claims, &attempt->outcome, attempt, err);
 }
 
 void series_release(struct series *series)

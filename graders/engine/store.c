@@ -11,14 +11,15 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { STORE_VERSION = 1 };
+enum { STORE_VERSION = 2 };
 
 static const char SCHEMA[] = "BEGIN IMMEDIATE;"
                              "CREATE TABLE IF NOT EXISTS result ("
                              " student_folder TEXT NOT NULL, exercise TEXT NOT NULL,"
                              " digest TEXT NOT NULL, result TEXT NOT NULL, scenes TEXT NOT NULL,"
+                             " seal TEXT NOT NULL,"
                              " PRIMARY KEY (student_folder, exercise));"
-                             "PRAGMA user_version = 1;"
+                             "PRAGMA user_version = 2;"
                              "COMMIT;";
 
 static int complain(const struct store *store, struct error *err)
@@ -56,8 +57,12 @@ int store_open(struct store *store, const char *out, struct error *err)
     sqlite3_busy_timeout(store->database, 10000);
     if (read_version(store, &version, err) != 0)
         return -1;
-    if (version > STORE_VERSION)
-        return error_set(err, "%s: written by a newer meshgrade (store version %d)", path, version);
+    if (version != 0 && version != STORE_VERSION)
+        return error_set(
+            err,
+            "%s: written by %s meshgrade (store version %d); move the file away to grade "
+            "the class anew",
+            path, version > STORE_VERSION ? "a newer" : "an older", version);
     if (sqlite3_exec(store->database, "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;", NULL,
                      NULL, NULL) != SQLITE_OK ||
         (version == 0 && sqlite3_exec(store->database, SCHEMA, NULL, NULL, NULL) != SQLITE_OK))
@@ -71,24 +76,89 @@ void store_close(struct store *store)
     store->database = NULL;
 }
 
+/* ------------------------------------------------------------------- rows */
+
+/* The columns of a row, in the order of the table. */
+enum column { STUDENT, EXERCISE, DIGEST, RESULT, SCENES, SEAL, COLUMNS };
+
+#define SELECT_ROW "SELECT student_folder, exercise, digest, result, scenes, seal FROM result "
+
+static void add_part(struct sha256_ctx *hash, const char *bytes, size_t count)
+{
+    uint64_t length = count;
+    sha256_update(hash, sizeof length, (const uint8_t *)&length);
+    sha256_update(hash, count, (const uint8_t *)bytes);
+}
+
+static void finish_digest(struct sha256_ctx *hash, char digest[STORE_DIGEST])
+{
+    uint8_t bytes[SHA256_DIGEST_SIZE];
+    sha256_digest(hash, sizeof bytes, bytes);
+    for (size_t i = 0; i < sizeof bytes; i++)
+        snprintf(digest + 2 * i, 3, "%02x", bytes[i]);
+}
+
+/* SQLite notices a damaged page only where its own bookkeeping breaks. The seal, a hash of the
+ * other columns, notices every changed byte: no mark comes from one. */
+static void seal_row(const char *const columns[SEAL], char seal[STORE_DIGEST])
+{
+    struct sha256_ctx hash;
+    sha256_init(&hash);
+    for (int i = 0; i < SEAL; i++)
+        add_part(&hash, columns[i], strlen(columns[i]));
+    finish_digest(&hash, seal);
+}
+
+/* The texts of a row, borrowed from the statement. Returns 0, or -1 and *err when it is damaged. */
+static int read_row(sqlite3_stmt *query, const char *columns[COLUMNS], struct error *err)
+{
+    char seal[STORE_DIGEST];
+    for (int i = 0; i < COLUMNS; i++)
+        if (!(columns[i] = (const char *)sqlite3_column_text(query, i)))
+            return error_set(err, "meshgrade.sqlite: a row lacks a text, or memory is short (move "
+                                  "the file away to grade the class anew)");
+    seal_row(columns, seal);
+    if (strcmp(seal, columns[SEAL]) == 0)
+        return 0;
+    return error_set(
+        err,
+        "meshgrade.sqlite: the result of %.80s for %.80s is damaged (move the file away "
+        "to grade the class anew)",
+        columns[STUDENT], columns[EXERCISE]);
+}
+
+static int parse_result(const char *text, json_t **result, struct error *err)
+{
+    json_error_t why;
+    *result = json_loads(text, 0, &why);
+    return *result ? 0 : error_set(err, "meshgrade.sqlite: a result: %s", why.text);
+}
+
 int store_find(struct store *store, const char *student_folder, const char *exercise,
                const char *digest, json_t **result, struct error *err)
 {
     sqlite3_stmt *query = NULL;
+    const char *columns[COLUMNS];
+    int found = 0;
     *result = NULL;
     if (sqlite3_prepare_v2(store->database,
-                           "SELECT result FROM result WHERE student_folder = ?1 AND exercise = ?2 "
-                           "AND (?3 IS NULL OR digest = ?3)",
+                           SELECT_ROW "WHERE student_folder = ?1 AND exercise = ?2 "
+                                      "AND (?3 IS NULL OR digest = ?3)",
                            -1, &query, NULL) != SQLITE_OK)
         return complain(store, err);
     sqlite3_bind_text(query, 1, student_folder, -1, SQLITE_STATIC);
     sqlite3_bind_text(query, 2, exercise, -1, SQLITE_STATIC);
     sqlite3_bind_text(query, 3, digest, -1, SQLITE_STATIC);
     int step = sqlite3_step(query);
-    if (step == SQLITE_ROW)
-        *result = json_loads((const char *)sqlite3_column_text(query, 0), 0, NULL);
+    if (step == SQLITE_ROW) {
+        found = read_row(query, columns, err);
+        if (found == 0)
+            found = parse_result(columns[RESULT], result, err);
+    } else if (step != SQLITE_DONE) {
+        found = complain(store, err);
+    }
     sqlite3_finalize(query);
-    return step == SQLITE_ROW || step == SQLITE_DONE ? 0 : complain(store, err);
+    return found;
 }
 
 int store_put(struct store *store, const char *student_folder, const char *exercise,
@@ -97,16 +167,18 @@ int store_put(struct store *store, const char *student_folder, const char *exerc
     sqlite3_stmt *insert = NULL;
     char *result = json_dumps(outcome->result, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
     char *scenes = json_dumps(outcome->scenes, JSON_COMPACT | JSON_REAL_PRECISION(9));
+    char seal[STORE_DIGEST];
     int done = -1;
     if (!result || !scenes) {
         error_set(err, "out of memory for a result");
     } else if (sqlite3_prepare_v2(store->database,
-                                  "INSERT OR REPLACE INTO result VALUES (?1, ?2, ?3, ?4, ?5)", -1,
-                                  &insert, NULL) != SQLITE_OK) {
+                                  "INSERT OR REPLACE INTO result VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
+                                  -1, &insert, NULL) != SQLITE_OK) {
         complain(store, err);
     } else {
-        const char *values[] = {student_folder, exercise, digest, result, scenes};
-        for (int i = 0; i < 5; i++)
+        const char *values[COLUMNS] = {student_folder, exercise, digest, result, scenes, seal};
+        seal_row(values, seal);
+        for (int i = 0; i < COLUMNS; i++)
             sqlite3_bind_text(insert, i + 1, values[i], -1, SQLITE_STATIC);
         done = sqlite3_step(insert) == SQLITE_DONE ? 0 : complain(store, err);
     }
@@ -119,29 +191,34 @@ int store_put(struct store *store, const char *student_folder, const char *exerc
 int store_prune(struct store *store, const json_t *keep, struct error *err)
 {
     sqlite3_stmt *query = NULL, *removal = NULL;
-    if (sqlite3_prepare_v2(store->database, "SELECT student_folder, exercise FROM result", -1,
-                           &query, NULL) != SQLITE_OK ||
+    if (sqlite3_prepare_v2(store->database, SELECT_ROW, -1, &query, NULL) != SQLITE_OK ||
         sqlite3_prepare_v2(store->database,
                            "DELETE FROM result WHERE student_folder = ?1 AND exercise = ?2", -1,
                            &removal, NULL) != SQLITE_OK) {
         sqlite3_finalize(query);
         return complain(store, err);
     }
-    while (sqlite3_step(query) == SQLITE_ROW) {
+    int result = 0, step = SQLITE_DONE;
+    while (result == 0 && (step = sqlite3_step(query)) == SQLITE_ROW) {
         char key[PATH_MAX];
-        const char *student = (const char *)sqlite3_column_text(query, 0);
-        const char *exercise = (const char *)sqlite3_column_text(query, 1);
-        snprintf(key, sizeof key, "%s/%s", student, exercise);
+        const char *columns[COLUMNS];
+        result = read_row(query, columns, err);
+        if (result != 0)
+            break;
+        snprintf(key, sizeof key, "%s/%s", columns[STUDENT], columns[EXERCISE]);
         if (json_object_get(keep, key))
             continue;
-        sqlite3_bind_text(removal, 1, student, -1, SQLITE_TRANSIENT);
-        sqlite3_bind_text(removal, 2, exercise, -1, SQLITE_TRANSIENT);
-        sqlite3_step(removal);
+        sqlite3_bind_text(removal, 1, columns[STUDENT], -1, SQLITE_TRANSIENT);
+        sqlite3_bind_text(removal, 2, columns[EXERCISE], -1, SQLITE_TRANSIENT);
+        if (sqlite3_step(removal) != SQLITE_DONE)
+            result = complain(store, err);
         sqlite3_reset(removal);
     }
+    if (result == 0 && step != SQLITE_DONE)
+        result = complain(store, err);
     sqlite3_finalize(query);
     sqlite3_finalize(removal);
-    return 0;
+    return result;
 }
 
 /* ------------------------------------------------------------------- files */
@@ -204,17 +281,17 @@ static int write_scenes(const char *out, const char *student, const char *exerci
 static int write_row(sqlite3_stmt *row, const char *out, json_t *kept, struct error *err)
 {
     char path[PATH_MAX];
-    const char *student = (const char *)sqlite3_column_text(row, 0);
-    const char *exercise = (const char *)sqlite3_column_text(row, 1);
-    const char *result = (const char *)sqlite3_column_text(row, 2);
+    const char *columns[COLUMNS];
+    if (read_row(row, columns, err) != 0)
+        return -1;
+    const char *student = columns[STUDENT], *exercise = columns[EXERCISE];
     snprintf(path, sizeof path, "%s/results/%s", out, student);
     if (folder_make(path, err) != 0)
         return -1;
     snprintf(path, sizeof path, "%s/results/%s/%s.json", out, student, exercise);
-    if (write_kept(path, result, kept, err) != 0)
+    if (write_kept(path, columns[RESULT], kept, err) != 0)
         return -1;
-    return write_scenes(out, student, exercise, (const char *)sqlite3_column_text(row, 3), kept,
-                        err);
+    return write_scenes(out, student, exercise, columns[SCENES], kept, err);
 }
 
 int store_write_files(struct store *store, const char *out, struct error *err)
@@ -222,10 +299,8 @@ int store_write_files(struct store *store, const char *out, struct error *err)
     sqlite3_stmt *query = NULL;
     int result = 0, step = SQLITE_DONE;
     json_auto_t *kept = json_object();
-    if (sqlite3_prepare_v2(store->database,
-                           "SELECT student_folder, exercise, result, scenes FROM result "
-                           "ORDER BY student_folder, exercise",
-                           -1, &query, NULL) != SQLITE_OK)
+    if (sqlite3_prepare_v2(store->database, SELECT_ROW "ORDER BY student_folder, exercise", -1,
+                           &query, NULL) != SQLITE_OK)
         return complain(store, err);
     while (result == 0 && (step = sqlite3_step(query)) == SQLITE_ROW)
         result = write_row(query, out, kept, err);
@@ -242,25 +317,15 @@ int store_write_files(struct store *store, const char *out, struct error *err)
 
 /* ------------------------------------------------------------------ digest */
 
-static void add_part(struct sha256_ctx *hash, const char *bytes, size_t count)
-{
-    uint64_t length = count;
-    sha256_update(hash, sizeof length, (const uint8_t *)&length);
-    sha256_update(hash, count, (const uint8_t *)bytes);
-}
-
 void store_digest(const struct source *sources, int source_count, const char *refusal,
                   char digest[STORE_DIGEST])
 {
     struct sha256_ctx hash;
-    uint8_t bytes[SHA256_DIGEST_SIZE];
     sha256_init(&hash);
     for (int i = 0; i < source_count; i++) {
         add_part(&hash, sources[i].name, strlen(sources[i].name));
         add_part(&hash, sources[i].bytes, sources[i].count);
     }
     add_part(&hash, refusal, strlen(refusal));
-    sha256_digest(&hash, sizeof bytes, bytes);
-    for (size_t i = 0; i < sizeof bytes; i++)
-        snprintf(digest + 2 * i, 3, "%02x", bytes[i]);
+    finish_digest(&hash, digest);
 }

@@ -1,7 +1,8 @@
 /* The store of a class: OUT/meshgrade.sqlite, one row a graded submission, one transaction a row.
  *
  * Killed at any moment, it holds whole results only. The result files below OUT are written from
- * it. A store that is damaged or of a newer version is refused with a remedy. */
+ * it. Each row carries a hash of itself: a store that is damaged, in whatever byte, or of another
+ * version is refused with a remedy. */
 #ifndef GRADERS_ENGINE_STORE_H
 #define GRADERS_ENGINE_STORE_H
 

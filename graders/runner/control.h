@@ -16,6 +16,9 @@ enum { CONTROL_FD = 3, INPUT_FD = 4, ANSWER_FD = 5 };
 
 enum { CONTROL_BYTES = 4096 };
 
+/* How the runner ends when it cannot map its regions. */
+enum { EXIT_NO_REGIONS = 99 };
+
 enum runner_mode {
     MODE_PLAIN = 0,
     MODE_COUNT = 1,      /* under callgrind: dump the counts after each call */

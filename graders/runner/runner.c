@@ -24,7 +24,6 @@
 #include <valgrind/memcheck.h>
 
 enum {
-    EXIT_NO_REGIONS = 99,
     PAGE = 4096,
     PAINTED_BYTES = 12 << 20,
     PAINT_GAP_BYTES = 512 /* the painting function's own frame */

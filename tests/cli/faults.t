@@ -1,0 +1,105 @@
+#!/bin/bash
+# What goes wrong on the machine is a fault or a refusal that says what to do; never a mark: a full disk, a missing
+# part of the compiler, calls that fail, clocks that jump, what cannot be read, a damaged store.
+. "$(dirname "$0")/tap.sh"
+answer=$submissions/topology/euler-closed-mesh/right/by-faces.c
+wrong=$submissions/topology/euler-closed-mesh/wrong/accepts-odd-faces.c
+check() { "$meshgrade" check euler-closed-mesh --quick --json "$@"; }
+
+# Exit code 2 and a line on the standard error, or a result that is a fault and has no score.
+is_fault() { # exit code, standard output, standard error
+    [ "$1" -eq 2 ] || { echo "# exit code $1, expected 2"; head -c 400 "$2" | sed 's/^/# /'; return 1; }
+    grep -q '^meshgrade: .' "$3" || { python3 -c '
+import json, sys
+r = json.load(open(sys.argv[1]))
+assert r["verdict"] == "fault" and r["score"] is None' "$2"; }
+}
+
+# -- every kind of call fails
+if [ -f "$BUILD/tests/faults/inject.so" ]; then
+    tests/faults/sweep "$BUILD/tests/faults/inject.so" --points 1 --submission right/by-faces.c >"$scratch/sweep"
+    code=$?
+    ok "one call of each kind fails: $(tail -n 1 "$scratch/sweep")" [ $code -eq 0 ]
+    sed -n '$!s/^/# /p' "$scratch/sweep"
+else
+    skip "one call of each kind fails" "inject.so was not built"
+fi
+
+# -- the output
+check "$answer" >/dev/full 2>"$scratch/err"
+ok "a result that cannot be written is a fault" [ $? -eq 2 ]
+"$meshgrade" check euler-closed-mesh --quick "$answer" >/dev/full 2>"$scratch/err"
+ok "also as text" [ $? -eq 2 ]
+ok "which says so" matches "$scratch/err" 'could not be written'
+
+# -- what cannot be read
+if [ "$(id -u)" -eq 0 ] && setpriv --reuid 65534 --regid 65534 --clear-groups test -r "$meshgrade"; then
+    chmod 755 "$scratch"
+    mkdir -p "$scratch/class/ana" "$scratch/class/bruno"
+    cp "$answer" "$scratch/class/ana/euler-closed-mesh.c"
+    cp "$answer" "$scratch/class/bruno/euler-closed-mesh.c"
+    chmod 000 "$scratch/class/bruno/euler-closed-mesh.c"
+    install -d -o 65534 "$scratch/marks"
+    TMPDIR=/tmp setpriv --reuid 65534 --regid 65534 --clear-groups "$meshgrade" grade "$scratch/class" -o "$scratch/marks" --no-pictures >"$scratch/out" 2>"$scratch/err"
+    code=$?
+    ok "a file that may not be read gives no mark" sh -c '[ "$1" -eq 2 ] || ! grep -q "\"score\": 0" "$2"/results/bruno/*.json' - $code "$scratch/marks"
+    ok "and is named" sh -c 'cat "$1" "$2"/results/bruno/*.json 2>/dev/null | grep -q "euler-closed-mesh.c"' - "$scratch/err" "$scratch/marks"
+else
+    skip "a file that may not be read gives no mark" "needs root, and a tree that others can read"
+    skip "and is named" "needs root, and a tree that others can read"
+fi
+
+# -- a damaged store
+mkdir -p "$scratch/one/ana"
+cp "$wrong" "$scratch/one/ana/euler-closed-mesh.c"
+"$meshgrade" grade "$scratch/one" -o "$scratch/store" --no-pictures >/dev/null 2>&1
+python3 - "$scratch/store/meshgrade.sqlite" <<'P'
+import sqlite3, sys
+store = sqlite3.connect(sys.argv[1])
+store.execute("update result set result = replace(result, 'wrong-answer', 'passed')")
+store.commit()
+P
+"$meshgrade" grade "$scratch/one" -o "$scratch/store" --no-pictures >"$scratch/out" 2>"$scratch/err"
+ok "a store with a changed mark is refused" [ $? -eq 2 ]
+ok "with the remedy" matches "$scratch/err" 'move the file away'
+
+# -- in a mount namespace of the test's own: missing tools, full disks
+if unshare -m true 2>/dev/null; then
+    # Boxes get /usr as it is mounted, so that a file in it must be gone from it, not hidden under another.
+    mkdir -p "$scratch/layers"
+    without='mount -t tmpfs none "$0" && mkdir "$0/upper" "$0/work" &&
+        mount -t overlay none -o lowerdir=/usr,upperdir="$0/upper",workdir="$0/work" /usr && rm "$1" && shift && exec "$@"'
+    if unshare -m sh -c "$without" "$scratch/layers" "$(readlink -f /usr/bin/objcopy)" true 2>/dev/null; then
+        for tool in /usr/bin/gcc "$(gcc -print-prog-name=cc1)" /usr/bin/as /usr/bin/ld /usr/bin/objcopy; do
+            unshare -m sh -c "$without" "$scratch/layers" "$(readlink -f "$tool")" \
+                "$meshgrade" check euler-closed-mesh --quick --json "$answer" >"$scratch/out" 2>"$scratch/err"
+            code=$?
+            ok "without $(basename "$tool") nothing is marked" is_fault $code "$scratch/out" "$scratch/err"
+        done
+    else
+        skip "without a part of the compiler nothing is marked" "no overlay file system"
+    fi
+    # The reference is built first: some of these disks have room for it, and not for the submission.
+    bad=
+    for kilobytes in 200 3000 4500 6000; do
+        mkdir -p "$scratch/tiny"
+        unshare -m sh -c 'mount -t tmpfs -o mode=1777,size="$1"k none "$2" && shift && TMPDIR=$1 && export TMPDIR && shift && exec "$@"' - \
+            $kilobytes "$scratch/tiny" "$meshgrade" check euler-closed-mesh --quick --json "$answer" >"$scratch/out" 2>"$scratch/err"
+        code=$?
+        [ $code -eq 0 ] || is_fault $code "$scratch/out" "$scratch/err" || bad="$bad $kilobytes"
+    done
+    ok "a scratch disk that is full is a fault, however full" [ -z "$bad" ]
+    bad=
+    mkdir -p "$scratch/disk"
+    for kilobytes in 8 40 400 8000; do
+        unshare -m sh -c 'mount -t tmpfs -o size="$1"k none "$2" && shift && out=$1 && shift && "$@" -o "$out"; code=$?
+            ls "$out"/results/ana/*.json >/dev/null 2>&1 && ! python3 -m json.tool "$out"/results/ana/*.json >/dev/null && code=99; exit $code' - \
+            $kilobytes "$scratch/disk" "$meshgrade" grade "$scratch/one" --no-pictures >"$scratch/out" 2>"$scratch/err"
+        code=$?
+        [ $code -eq 1 ] || is_fault $code "$scratch/out" "$scratch/err" || bad="$bad $kilobytes"
+    done
+    ok "a results disk that is full is a fault, and no result is half written" [ -z "$bad" ]
+else
+    skip "missing tools and full disks" "no mount namespaces for the test itself"
+fi
+done_testing
