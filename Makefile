@@ -30,18 +30,23 @@ DEMO_PACKAGES := zip
 TEST_PACKAGES := libcmocka-dev chromium python3
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 FUZZ_PACKAGES := clang libclang-rt-14-dev
+AFL_PACKAGES := afl++
 
 PACKAGES := $(CORE_PACKAGES) $(PICTURE_PACKAGES) $(DEMO_PACKAGES)
-ifneq ($(filter test unit stability,$(MAKECMDGOALS)),)
+ifneq ($(filter test unit stability mutants faults,$(MAKECMDGOALS)),)
 PACKAGES += $(TEST_PACKAGES)
 endif
 ifneq ($(filter lint format,$(MAKECMDGOALS)),)
 PACKAGES += $(LINT_PACKAGES)
 endif
-ifneq ($(filter fuzz,$(MAKECMDGOALS)),)
+ifneq ($(filter fuzz fuzz-afl,$(MAKECMDGOALS)),)
 PACKAGES += $(FUZZ_PACKAGES)
 endif
+ifneq ($(filter fuzz-afl,$(MAKECMDGOALS)),)
+PACKAGES += $(AFL_PACKAGES)
+endif
 SELF_PREPARING := deps demo test unit validate lint format fuzz stability bench-grader growth pace
+SELF_PREPARING += mutants faults fuzz-afl coverage
 
 # These goals install what they lack. Make includes build/deps.mk, finds that it must be made, makes
 # it (the installation) and starts itself anew with the packages in place.
@@ -239,6 +244,27 @@ CLASS ?= known
 stability: all ## grade CLASS (known, demo) RUNS times in different surroundings; counts what differs
 	@tests/stability.sh $(RUNS) $(CLASS)
 
+# ---------------------------------------------------------------- the grader graded
+SAMPLE ?= 40
+MUTANT_JUDGE := $(BUILD)/tests/mutants/judge_mutants
+$(MUTANT_JUDGE): $(BUILD)/tests/mutants/judge_mutants.o $(BUILD)/libmeshgrade.a
+	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ $(LDLIBS)
+test: $(MUTANT_JUDGE)
+.PHONY: mutants
+mutants: all $(MUTANT_JUDGE) ## mutants of right answers against the judges, SAMPLE a file (0: all)
+	@tests/mutants/run --program $(MUTANT_JUDGE) --sample $(SAMPLE)
+
+# ---------------------------------------------------------------- faults of the machine
+POINTS ?= 50
+INJECTOR := $(BUILD)/tests/faults/inject.so
+$(INJECTOR): tests/faults/inject.c
+	@mkdir -p $(@D)
+	$(call SHOW,CC  $<)$(CC) -std=c17 -D_GNU_SOURCE -O1 -fPIC -shared $(WARNINGS) $< -o $@
+test: $(INJECTOR)
+.PHONY: faults
+faults: all $(INJECTOR) ## fail POINTS of the grader's calls of each kind (0: all) and look what comes of it
+	@tests/faults/sweep $(INJECTOR) --points $(POINTS) --full
+
 # ---------------------------------------------------------------- source checks
 C_FILES = $(shell git ls-files '*.c' '*.h' 2>/dev/null | grep -v '^tests/submissions/')
 CXX_FILES = $(shell git ls-files '*.cpp' '*.hpp' 2>/dev/null)
@@ -255,18 +281,37 @@ format: ## lay out every C and C++ file
 	@clang-format -i $(C_FILES) $(CXX_FILES)
 
 # ---------------------------------------------------------------- fuzzing
+# The same targets for both: libFuzzer's entry point, which AFL++'s driver calls as well. The library is
+# compiled once for each.
 TIME ?= 60
 FUZZ_SUPPORT := $(filter-out tests/fuzz/replay.c $(wildcard tests/fuzz/fuzz_*.c),$(wildcard tests/fuzz/*.c))
-FUZZERS = $(patsubst tests/fuzz/%.c,build/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
-build/fuzz/%: tests/fuzz/%.c $(LIBRARY_SOURCES)
-	@mkdir -p $(@D)
-	clang -std=c17 -D_GNU_SOURCE -I. -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $< $(FUZZ_SUPPORT) \
-	  $(filter reference/% bench/% graders/engine/% graders/judges/%.c graders/report/clean.c,$(LIBRARY_SOURCES)) \
-	  graders/runner/packet.c $(wildcard graders/box/*.c) $(BUILD)/judge-table.c $(BUILD)/representation-table.c -o $@ $(LDLIBS)
-fuzz: $(BUILD)/judge-table.c $(BUILD)/representation-table.c $(FUZZERS) ## fuzz every parser for TIME seconds each
-	@for f in $(FUZZERS); do name=$$(basename $$f); mkdir -p build/fuzz/corpus/$$name; \
-	  echo "== $$name"; $$f -max_total_time=$(TIME) -max_len=65536 -print_final_stats=0 build/fuzz/corpus/$$name \
-	  tests/fuzz/corpus/$${name#fuzz_} 2>&1 | tail -n 2; done
+FUZZ_TARGETS := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
+FUZZ_OBJECTS := $(LIBRARY_SOURCES:%.c=%.o) $(FUZZ_SUPPORT:%.c=%.o) $(notdir $(filter %-table.o,$(LIBRARY_OBJECTS)))
+FUZZ_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O1 -g
+FUZZ_CC_fuzz := clang
+FUZZ_CC_afl := afl-clang-fast
+SANITIZE_fuzz := -fsanitize=address,undefined -fno-sanitize-recover=all
+SANITIZE_afl := -fsanitize=undefined -fno-sanitize-recover=all
+
+# $(1): fuzz or afl
+define fuzz_rules
+build/$(1)/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(call SHOW,CC  $$< ($(1)))$(FUZZ_CC_$(1)) $(FUZZ_FLAGS) $(SANITIZE_$(1)) $(COVER_$(1)) $$(DEPENDENCIES) -c $$< -o $$@
+build/$(1)/%-table.o: $(BUILD)/%-table.c
+	@mkdir -p $$(@D)
+	@$(FUZZ_CC_$(1)) $(FUZZ_FLAGS) $(SANITIZE_$(1)) -c $$< -o $$@
+$(FUZZ_TARGETS:%=build/$(1)/%): build/$(1)/%: build/$(1)/tests/fuzz/%.o $(FUZZ_OBJECTS:%=build/$(1)/%)
+	$$(call SHOW,LD  $$@)$(FUZZ_CC_$(1)) $(SANITIZE_$(1)) -fsanitize=fuzzer $$^ -o $$@ $(LDLIBS)
+endef
+COVER_fuzz := -fsanitize=fuzzer-no-link
+$(foreach kind,fuzz afl,$(eval $(call fuzz_rules,$(kind))))
+
+fuzz: $(FUZZ_TARGETS:%=build/fuzz/%) ## libFuzzer: every reader of foreign bytes, TIME seconds each
+	@tests/fuzz/run libfuzzer $(TIME)
+.PHONY: fuzz-afl
+fuzz-afl: $(FUZZ_TARGETS:%=build/afl/%) ## the same targets with AFL++
+	@tests/fuzz/run afl $(TIME)
 
 # The corpora once more in every test run, by a plain main instead of libFuzzer.
 REPLAYS := $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,$(wildcard tests/fuzz/fuzz_*.c))
