@@ -189,7 +189,7 @@ VTK_MODULES := ChartsCore CommonColor CommonCore CommonDataModel CommonExecution
   FiltersCore FiltersGeneral FiltersSources InteractionStyle RenderingAnnotation RenderingContext2D \
   RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI
 VTK_LIBRARIES := $(foreach m,$(VTK_MODULES),-lvtk$(m)-$(VTK_VERSION)) -lvtksys-$(VTK_VERSION)
-CXXFLAGS := -std=c++17 -I. $(MODE) -Wall -Wextra -Wshadow -isystem $(VTK_INCLUDE) $(shell pkg-config --cflags OpenImageIO)
+CXXFLAGS := -std=c++17 -I. $(MODE) -Wall -Wextra -Wshadow -isystem $(VTK_INCLUDE) $(shell pkg-config --cflags OpenImageIO freetype2)
 
 build/meshgrade-render: $(BUILD)/meshgrade-render
 	@ln -sf $(config)/meshgrade-render $@

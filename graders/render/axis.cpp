@@ -8,8 +8,10 @@
 static const size_t ticks_enough = 7;
 static const double least_gap = .06; /* between two ticks, of the axis */
 
-double log_axis::place(double value) const
+double chart_axis::place(double value) const
 {
+    if (linear)
+        return (value - low) / (high - low);
     return std::log(value / low) / std::log(high / low);
 }
 
@@ -27,9 +29,9 @@ static std::string label_of(double value, bool bytes)
 }
 
 /* At least a factor of two, and air on both sides. */
-static log_axis range_of(const std::vector<double> &values)
+static chart_axis range_of(const std::vector<double> &values)
 {
-    log_axis axis;
+    chart_axis axis;
     if (!values.empty()) {
         axis.low = *std::min_element(values.begin(), values.end());
         axis.high = *std::max_element(values.begin(), values.end());
@@ -41,7 +43,7 @@ static log_axis range_of(const std::vector<double> &values)
     return axis;
 }
 
-static std::vector<double> steps(const log_axis &axis, double base,
+static std::vector<double> steps(const chart_axis &axis, double base,
                                  const std::vector<double> &parts)
 {
     std::vector<double> values;
@@ -54,7 +56,7 @@ static std::vector<double> steps(const log_axis &axis, double base,
 }
 
 /* The finest steps that are not too many; always something, even for a range within one step. */
-static std::vector<double> chosen_steps(const log_axis &axis, bool bytes)
+static std::vector<double> chosen_steps(const chart_axis &axis, bool bytes, size_t most_ticks)
 {
     using parts = std::vector<double>;
     std::vector<std::pair<double, parts>> choices;
@@ -65,14 +67,14 @@ static std::vector<double> chosen_steps(const log_axis &axis, bool bytes)
         choices = {{10, {1, 2, 5}}, {10, {1, 3}}, {10, {1}}, {100, {1}}, {1000, {1}}, {1e6, {1}}};
     for (const auto &[base, fractions] : choices) {
         std::vector<double> values = steps(axis, base, fractions);
-        if (values.size() <= ticks_enough)
+        if (values.size() <= most_ticks)
             return values;
     }
     return {};
 }
 
 /* Of the values themselves those that leave room for their names. */
-static std::vector<double> apart(const log_axis &axis, std::vector<double> values)
+static std::vector<double> apart(const chart_axis &axis, std::vector<double> values)
 {
     std::vector<double> chosen;
     std::sort(values.begin(), values.end());
@@ -82,11 +84,11 @@ static std::vector<double> apart(const log_axis &axis, std::vector<double> value
     return chosen;
 }
 
-log_axis make_axis(const std::vector<double> &values, const std::string &label)
+chart_axis make_axis(const std::vector<double> &values, const std::string &label, size_t most_ticks)
 {
-    log_axis axis = range_of(values);
+    chart_axis axis = range_of(values);
     bool bytes = speaks_of_bytes(label);
-    std::vector<double> named = chosen_steps(axis, bytes);
+    std::vector<double> named = chosen_steps(axis, bytes, most_ticks);
     if (named.size() < 2)
         named = apart(axis, values);
     for (double value : named)
@@ -94,12 +96,12 @@ log_axis make_axis(const std::vector<double> &values, const std::string &label)
     return axis;
 }
 
-log_axis make_axis_of_sizes(const std::vector<double> &values, const std::string &label)
+chart_axis make_axis_of_sizes(const std::vector<double> &values, const std::string &label)
 {
     std::vector<double> sizes = values;
     std::sort(sizes.begin(), sizes.end());
     sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
-    log_axis axis = range_of(sizes);
+    chart_axis axis = range_of(sizes);
     if (sizes.size() < 2 || sizes.size() > ticks_enough + 2)
         return make_axis(values, label);
     for (size_t i = 1; i < sizes.size(); i++)
@@ -107,5 +109,24 @@ log_axis make_axis_of_sizes(const std::vector<double> &values, const std::string
             return make_axis(values, label);
     for (double size : sizes)
         axis.ticks.push_back({size, label_of(size, speaks_of_bytes(label))});
+    return axis;
+}
+
+chart_axis make_linear_axis(const std::vector<double> &values)
+{
+    const double most_steps = 8, air = 1.04;
+    double most = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+    chart_axis axis;
+    axis.linear = true;
+    axis.low = 0;
+    axis.high = most > 0 ? most * air : 1;
+    double step = std::pow(10, std::floor(std::log10(axis.high)));
+    for (double part : {.1, .2, .5, 1.0})
+        if (axis.high / (step * part) <= most_steps) {
+            step *= part;
+            break;
+        }
+    for (int i = 0; i * step <= axis.high; i++)
+        axis.ticks.push_back({i * step, i == 0 ? "0" : label_of(i * step, false)});
     return axis;
 }

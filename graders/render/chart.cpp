@@ -1,6 +1,7 @@
 /* Curves on logarithmic axes; see pictures.hpp. */
 #include "graders/render/axis.hpp"
 #include "graders/render/canvas.hpp"
+#include "graders/render/marker.hpp"
 #include "graders/render/overlay.hpp"
 #include "graders/render/pictures.hpp"
 #include "graders/render/text.hpp"
@@ -16,7 +17,7 @@ const font name_font = {14, weight::semibold, palette::ink};
 
 struct plot_area {
     double left, right, top, bottom;
-    log_axis x, y;
+    chart_axis x, y;
 
     point2 at(double x_value, double y_value) const
     {
@@ -51,27 +52,6 @@ size_t look_of(const std::vector<curve> &curves, size_t index)
         before += i < index && !special;
     }
     return (before + (named ? 2 : 0)) % std::size(palette::curves);
-}
-
-void draw_marker(paper &sheet, point2 at, size_t look, double size)
-{
-    colour paint = palette::curves[look];
-    static const int corners_of[] = {4, 0, 3, 4, 3, 6};
-    static const double turn_of[] = {45, 0, -90, 0, 90, 0};
-    int corners = corners_of[look];
-    auto shape = [&](double radius, colour fill) {
-        if (corners == 0)
-            return sheet.disc(at, radius, fill);
-        double reach = radius * (corners == 3 ? 1.35 : 1.2);
-        std::vector<point2> outline;
-        for (int i = 0; i < corners; i++) {
-            double angle = (turn_of[look] + 360.0 * i / corners) * M_PI / 180;
-            outline.push_back({at.x + reach * std::cos(angle), at.y + reach * std::sin(angle)});
-        }
-        sheet.polygon(outline, fill);
-    };
-    shape(size + 1.6, palette::paper);
-    shape(size, paint);
 }
 
 void draw_axes_and_grid(paper &sheet, const plot_area &area, const scene &from)
@@ -118,7 +98,7 @@ void draw_curve(paper &sheet, const plot_area &area, const curve &one, size_t lo
     draw_fit(sheet, area, one, palette::curves[look]);
     sheet.polyline(points, 2.6, palette::curves[look]);
     for (point2 at : points)
-        draw_marker(sheet, at, look, 4.6);
+        draw_marker(sheet, at, look, 4.6, palette::curves[look]);
 }
 
 std::string exponent_text(double exponent)
@@ -137,7 +117,7 @@ double draw_entry(paper &sheet, point2 at, const curve &one, size_t look, bool m
     double width = 46 + sheet.text_width(name, name_font);
     if (!measure_only) {
         sheet.line({at.x, at.y - 5}, {at.x + 34, at.y - 5}, 2.6, palette::curves[look]);
-        draw_marker(sheet, {at.x + 17, at.y - 5}, look, 4.6);
+        draw_marker(sheet, {at.x + 17, at.y - 5}, look, 4.6, palette::curves[look]);
         sheet.text({at.x + 46, at.y}, name, name_font);
     }
     if (one.exponent == 0)

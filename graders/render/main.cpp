@@ -1,5 +1,6 @@
 /* meshgrade-render: draws the pictures of a job; README.md is the contract. */
 #include "graders/render/job.hpp"
+#include "graders/render/paper.hpp"
 #include "graders/render/window.hpp"
 
 #include <cstdio>
@@ -20,6 +21,7 @@ int main(int argc, char **argv)
         job work = read_job(argv[1]);
         choose_shader_cache();
         silence_vtk();
+        keep_fonts();
         if (!has_opengl()) {
             std::fprintf(stderr, "meshgrade-render: no OpenGL here (no EGL driver of Mesa): no "
                                  "pictures; install libegl1 and libgl1-mesa-dri\n");

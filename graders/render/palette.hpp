@@ -46,6 +46,15 @@ inline constexpr colour strips[] = {{86, 160, 211},  {240, 186, 92},  {158, 150,
 /* Curves: submission and reference are always the first two. */
 inline constexpr colour curves[] = {{213, 74, 20},  {0, 104, 180}, {0, 146, 108},
                                     {180, 84, 150}, {222, 146, 0}, {70, 160, 210}};
+
+/* Series, bars and arrows of figures, by number: the curves' and two greys. */
+inline constexpr colour looks[] = {{213, 74, 20}, {0, 104, 180},  {0, 146, 108},   {180, 84, 150},
+                                   {222, 146, 0}, {70, 160, 210}, {128, 138, 152}, {52, 62, 78}};
+inline constexpr int look_count = 8;
+
+/* Heat maps, from little to much; its lightness falls evenly. */
+inline constexpr colour heat[] = {{255, 253, 226}, {217, 236, 190}, {147, 208, 188}, {72, 168, 191},
+                                  {40, 112, 170},  {32, 64, 124},   {18, 28, 70}};
 } // namespace palette
 
 #endif

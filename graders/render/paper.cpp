@@ -7,8 +7,14 @@
 #include <unistd.h>
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
+#include <vtkFreeTypeTools.h>
 #include <vtkPen.h>
 #include <vtkTextProperty.h>
+
+void keep_fonts()
+{
+    vtkFreeTypeTools::GetInstance()->SetMaximumNumberOfFaces(4096);
+}
 
 static const double descent = .22; /* of a font's size */
 

@@ -27,6 +27,11 @@ struct font {
 
 inline constexpr double paper_height = 600;
 
+/* To be called once, before anything is drawn: keeps every face of every font that was opened.
+ * Beyond 30 of them (VTK 9.1 counts each size as one) VTK closes some, and then draws letters of
+ * another weight into the same word. */
+void keep_fonts();
+
 class paper
 {
   public:

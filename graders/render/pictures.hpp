@@ -18,6 +18,10 @@ image draw_mesh(const scene &from, picture_size size);
 image draw_strips(const scene &from, picture_size size);
 image draw_voxels(const scene &from, picture_size size);
 image draw_chart(const scene &from, picture_size size);
+image draw_panels(const scene &from, picture_size size);
+image draw_bars(const scene &from, picture_size size);
+image draw_heatmap(const scene &from, picture_size size);
+image draw_diagram(const scene &from, picture_size size);
 
 /* A tile with the title and a sentence in the middle, for what cannot be drawn. */
 image draw_tile(const scene &from, const std::string &sentence, picture_size size);

@@ -1,11 +1,11 @@
 /* Reading scenes with distrust; see scene.hpp. */
 #include "graders/render/scene.hpp"
-#include "graders/render/text.hpp"
+#include "graders/render/figure_reader.hpp"
+#include "graders/render/json_values.hpp"
 
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <jansson.h>
 #include <memory>
 
 const char *const mark_names[mark_kind_count] = {"missing",  "duplicate", "extra", "degenerate",
@@ -14,9 +14,8 @@ const char *const mark_names[mark_kind_count] = {"missing",  "duplicate", "extra
 namespace
 {
 const int64_t vertex_limit = 2000000, triangle_limit = 1000000, strip_limit = 100000;
-const int64_t mark_limit = 1000, curve_limit = 12, point_limit = 10000, voxel_side_limit = 256;
+const int64_t mark_limit = 1000, curve_limit = 12, voxel_side_limit = 256;
 const uintmax_t file_bytes_limit = 256u << 20;
-const size_t text_bytes_limit = 300;
 const double exponent_limit = 100;
 
 struct json_releaser {
@@ -25,55 +24,6 @@ struct json_releaser {
         json_decref(json);
     }
 };
-
-std::string text_at(const json_t *json, const char *key)
-{
-    const json_t *value = json_object_get(json, key);
-    if (!json_is_string(value))
-        return "";
-    return clean_text({json_string_value(value), json_string_length(value)}, text_bytes_limit);
-}
-
-int64_t integer_at(const json_t *json, const char *key, int64_t largest, const char *what)
-{
-    const json_t *value = json_object_get(json, key);
-    int64_t number = json_is_integer(value) ? json_integer_value(value) : -1;
-    if (number < 0 || number > largest)
-        throw not_showable(std::string(what) + ": " +
-                           (json_is_integer(value)
-                                ? std::to_string(json_integer_value(value)) +
-                                      " is not between 0 and " + std::to_string(largest)
-                                : "not said"));
-    return number;
-}
-
-int digit_of(char c)
-{
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const char *at = c ? std::strchr(digits, c) : nullptr;
-    return at ? int(at - digits) : -1;
-}
-
-/* The bytes of a base64 text, which must be exactly `count`. */
-std::vector<uint8_t> bytes_at(const json_t *json, const char *key, size_t count)
-{
-    const json_t *value = json_object_get(json, key);
-    std::string name = key;
-    if (!json_is_string(value) || json_string_length(value) != (count + 2) / 3 * 4)
-        throw not_showable(name + " does not hold " + std::to_string(count) + " bytes");
-    const char *text = json_string_value(value);
-    std::vector<uint8_t> bytes(count);
-    uint32_t group = 0;
-    for (size_t i = 0, out = 0; out < count; i++) {
-        int digit = digit_of(text[i]);
-        if (digit < 0)
-            throw not_showable(name + " is not base64");
-        group = group << 6 | uint32_t(digit);
-        if (i % 4 != 0)
-            bytes[out++] = uint8_t(group >> (6 - 2 * (i % 4)));
-    }
-    return bytes;
-}
 
 std::vector<vec3> points_at(const json_t *json, int64_t count)
 {
@@ -167,17 +117,6 @@ void read_voxels(const json_t *json, scene &out)
     out.voxels_per_side = int(side);
 }
 
-std::vector<double> numbers_at(const json_t *json, const char *key)
-{
-    const json_t *list = json_object_get(json, key);
-    if (json_array_size(list) > size_t(point_limit))
-        throw not_showable("more points than a chart can show");
-    std::vector<double> numbers;
-    for (size_t i = 0; i < json_array_size(list); i++)
-        numbers.push_back(json_number_value(json_array_get(list, i)));
-    return numbers;
-}
-
 /* Whether a number has a place on the axes of a chart. */
 bool is_chartable(double number)
 {
@@ -227,9 +166,10 @@ void read_notes(const json_t *json, scene &out)
 
 scene_kind kind_of(const json_t *json)
 {
-    static const char *const names[] = {"none", "mesh", "strips", "voxels", "chart"};
+    static const char *const names[] = {"none",   "mesh", "strips",  "voxels", "chart",
+                                        "panels", "bars", "heatmap", "diagram"};
     std::string name = text_at(json, "kind");
-    for (int k = 0; k < 5; k++)
+    for (size_t k = 0; k < std::size(names); k++)
         if (name == names[k])
             return scene_kind(k);
     throw not_showable("no known kind of scene: \"" + name + "\"");
@@ -259,4 +199,5 @@ void read_scene(const std::string &path, scene &out)
         read_voxels(json.get(), out);
     if (out.kind == scene_kind::chart)
         read_curves(json.get(), out);
+    read_figure(json.get(), out);
 }

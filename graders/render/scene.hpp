@@ -2,6 +2,7 @@
 #ifndef GRADERS_RENDER_SCENE_HPP
 #define GRADERS_RENDER_SCENE_HPP
 
+#include "graders/render/figure.hpp"
 #include "graders/render/image.hpp"
 #include "graders/render/vec.hpp"
 
@@ -10,7 +11,7 @@
 #include <string>
 #include <vector>
 
-enum class scene_kind { none, mesh, strips, voxels, chart };
+enum class scene_kind { none, mesh, strips, voxels, chart, panels, bars, heatmap, diagram };
 enum mark_kind { missing, duplicate, extra, degenerate, boundary, flipped, wrong, mark_kind_count };
 enum class element { at_vertex, at_edge, at_triangle };
 
@@ -51,6 +52,7 @@ struct scene {
     std::vector<uint8_t> voxel_bits;
     std::vector<curve> curves;
     std::string x_label, y_label;
+    figure shown; /* panels, bars, heat map, diagram; what else stands beside voxels */
     image_notes notes;
 
     bool voxel(int x, int y, int z) const /* false outside */

@@ -40,6 +40,14 @@ static image draw_kind(const scene &from, picture_size size)
         return draw_voxels(from, size);
     case scene_kind::chart:
         return draw_chart(from, size);
+    case scene_kind::panels:
+        return draw_panels(from, size);
+    case scene_kind::bars:
+        return draw_bars(from, size);
+    case scene_kind::heatmap:
+        return draw_heatmap(from, size);
+    case scene_kind::diagram:
+        return draw_diagram(from, size);
     case scene_kind::none:
         break;
     }

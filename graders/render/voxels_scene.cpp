@@ -1,4 +1,5 @@
-/* Voxels, with a mesh beside them if there is one; see pictures.hpp. */
+/* Voxels, and beside them the boxes of an octree and a mesh, where there are any; see pictures.hpp.
+ */
 #include "graders/render/canvas.hpp"
 #include "graders/render/marks.hpp"
 #include "graders/render/pictures.hpp"
@@ -18,7 +19,7 @@ namespace
 /* The faces between a full and an empty cell, two triangles each, in a box of diagonal 1. */
 struct voxel_faces {
     std::vector<vec3> points, normals;
-    std::vector<double> openness; /* of each point, 0 ... 1: how little the neighbours shade it */
+    std::vector<colour> paints; /* of each point */
     std::vector<triangle> triangles;
     std::vector<edge> outlines;
     int64_t full_count = 0;
@@ -45,30 +46,70 @@ double corner_openness(const scene &from, cell front, int u, int v, int du, int 
     return 1 - shading / 3.0;
 }
 
-void add_face(voxel_faces &faces, const scene &from, cell at, int axis, int direction)
+/* One side of a cube of cells: `corner` is its lowest cell. */
+struct cube_side {
+    cell corner;
+    int cells; /* along the cube */
+    int axis, direction;
+};
+
+/* Adds two triangles and their outline, in the paints of the four corners. */
+void add_side(voxel_faces &faces, const cube_side &one, double per_side, const colour paint[4])
 {
-    double side = from.voxels_per_side, scale = 1 / (side * std::sqrt(3.0));
-    int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    cell front = at;
-    front.axis[axis] += direction;
+    double scale = 1 / (per_side * std::sqrt(3.0));
+    int u = (one.axis + 1) % 3, v = (one.axis + 2) % 3;
     int32_t first = int32_t(faces.points.size());
     for (int i = 0; i < 4; i++) {
         int du = i == 1 || i == 2, dv = i >= 2;
-        if (direction < 0)
+        if (one.direction < 0)
             std::swap(du, dv);
         double xyz[3], normal[3] = {0, 0, 0};
-        xyz[axis] = at.axis[axis] + (direction > 0);
-        xyz[u] = at.axis[u] + du;
-        xyz[v] = at.axis[v] + dv;
-        normal[axis] = direction;
-        faces.points.push_back(vec3{xyz[0] - side / 2, xyz[1] - side / 2, xyz[2] - side / 2} *
-                               scale);
+        xyz[one.axis] = one.corner.axis[one.axis] + (one.direction > 0 ? one.cells : 0);
+        xyz[u] = one.corner.axis[u] + du * one.cells;
+        xyz[v] = one.corner.axis[v] + dv * one.cells;
+        normal[one.axis] = one.direction;
+        vec3 point = {xyz[0] - per_side / 2, xyz[1] - per_side / 2, xyz[2] - per_side / 2};
+        faces.points.push_back(point * scale);
         faces.normals.push_back({normal[0], normal[1], normal[2]});
-        faces.openness.push_back(corner_openness(from, front, u, v, 2 * du - 1, 2 * dv - 1));
+        faces.paints.push_back(paint[2 * du + dv]);
         faces.outlines.push_back({first + i, first + (i + 1) % 4});
     }
     faces.triangles.push_back({first, first + 1, first + 2});
     faces.triangles.push_back({first, first + 2, first + 3});
+}
+
+void add_face(voxel_faces &faces, const scene &from, cell at, int axis, int direction)
+{
+    const colour paint = {120, 176, 222};
+    int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    cell front = at;
+    front.axis[axis] += direction;
+    colour corners[4];
+    for (int du = 0; du < 2; du++)
+        for (int dv = 0; dv < 2; dv++)
+            corners[2 * du + dv] = paint.darker(
+                .62 + .38 * corner_openness(from, front, u, v, 2 * du - 1, 2 * dv - 1));
+    add_side(faces, {at, 1, axis, direction}, from.voxels_per_side, corners);
+}
+
+/* The boxes of an octree, each size in a colour of its own. */
+voxel_faces faces_of_boxes(const scene &from)
+{
+    static const colour paints[] = {
+        {120, 176, 222}, {176, 214, 184}, {244, 208, 122}, {226, 142, 98}, {176, 104, 140}};
+    voxel_faces faces;
+    for (const cell_box &box : from.shown.boxes) {
+        size_t level = 0;
+        while (level + 1 < std::size(paints) && box.side >> (level + 1))
+            level++;
+        const colour paint[] = {paints[level], paints[level], paints[level], paints[level]};
+        for (int axis = 0; axis < 3; axis++)
+            for (int direction : {-1, 1})
+                add_side(faces, {{{box.x, box.y, box.z}}, box.side, axis, direction},
+                         from.voxels_per_side, paint);
+        faces.full_count++;
+    }
+    return faces;
 }
 
 voxel_faces faces_of(const scene &from)
@@ -96,11 +137,8 @@ vtkSmartPointer<vtkActor> voxel_actor(const voxel_faces &faces)
 {
     vtkNew<vtkUnsignedCharArray> colours;
     colours->SetNumberOfComponents(3);
-    const colour paint = {120, 176, 222};
-    for (double open : faces.openness) {
-        double shade = .62 + .38 * open;
-        colours->InsertNextTuple3(paint.red * shade, paint.green * shade, paint.blue * shade);
-    }
+    for (colour paint : faces.paints)
+        colours->InsertNextTuple3(paint.red, paint.green, paint.blue);
     vtkNew<vtkPolyData> data;
     data->SetPoints(vtk_points(faces.points));
     data->SetPolys(vtk_cells(faces.triangles));
@@ -160,48 +198,97 @@ void add_mesh_beside(canvas &target, const scene &from, const shape &mesh, doubl
     add_marks(target.world(), mesh.points, from.marks, radius, finish::lit);
     add_marks(target.front(), mesh.points, from.marks, radius, finish::ghost);
 }
+/* Things side by side, from the left: what stands under each and where its middle is. */
+struct exhibit {
+    vec3 aside;
+    std::string name, note;
+};
+
+/* Offsets of `count` things of diagonal 1 (spheres: a good half as wide). */
+vec3 aside_of(size_t index, size_t count, const view &look)
+{
+    return look.right * (.76 * (double(index) - double(count - 1) / 2));
+}
+
+void draw_exhibits(paper &sheet, const std::vector<exhibit> &exhibits, const framing &frame,
+                   double y)
+{
+    for (const exhibit &one : exhibits)
+        draw_caption(sheet, {frame.on_paper(one.aside).x, y}, one.name, one.note);
+}
+
+std::vector<exhibit> exhibits_of(const scene &from, const voxel_faces &voxels, const view &look)
+{
+    std::string k = std::to_string(from.voxels_per_side);
+    bool boxes = !from.shown.boxes.empty(), mesh = !from.mesh.points.empty();
+    size_t count = 1 + boxes + mesh;
+    std::vector<exhibit> all;
+    all.push_back({aside_of(0, count, look), k + " × " + k + " × " + k + " voxels",
+                   from.cut ? grouped(voxels.full_count) + " full, a sample of more"
+                            : voxel_bytes(from.voxels_per_side)});
+    if (boxes)
+        all.push_back({aside_of(1, count, look), "octree",
+                       grouped(int64_t(from.shown.boxes.size())) + " full cubes"});
+    if (mesh)
+        all.push_back({aside_of(count - 1, count, look),
+                       grouped(int64_t(from.mesh.points.size())) + " vertices, " +
+                           grouped(int64_t(from.mesh.triangles.size())) + " triangles",
+                       mesh_bytes(from.mesh)});
+    for (size_t i = 0; i < all.size() && i < from.shown.captions.size(); i++) {
+        all[i].name = from.shown.captions[i].first;
+        all[i].note = from.shown.captions[i].second;
+    }
+    return all;
+}
+
+/* Everything as one set of points and triangles, for framing and shadow. */
+struct collection {
+    std::vector<vec3> points;
+    std::vector<triangle> triangles;
+
+    void add(const std::vector<vec3> &more, const std::vector<triangle> &of_more)
+    {
+        for (triangle t : of_more) {
+            for (int32_t &v : t)
+                v += int32_t(points.size());
+            triangles.push_back(t);
+        }
+        points.insert(points.end(), more.begin(), more.end());
+    }
+};
 } // namespace
 
 image draw_voxels(const scene &from, picture_size size)
 {
-    voxel_faces faces = faces_of(from);
+    voxel_faces faces = faces_of(from), boxes = faces_of_boxes(from);
     bool beside = !from.mesh.points.empty();
-    if (faces.full_count == 0 && !beside)
+    if (faces.full_count == 0 && boxes.full_count == 0 && !beside)
         throw not_showable("All voxels are empty.");
     canvas target(size.width, size.height, backdrop::gradient);
     view look;
     shape mesh(unit_box(from.mesh.points).apply(from.mesh.points), from.mesh.triangles);
-    vec3 aside = look.right * (beside ? .38 : 0);
-    move_all(faces.points, aside * -1);
-    move_all(mesh.points, aside);
-    std::vector<vec3> all = faces.points;
-    std::vector<triangle> triangles = faces.triangles;
-    for (triangle t : mesh.triangles) {
-        for (int32_t &v : t)
-            v += int32_t(all.size());
-        triangles.push_back(t);
-    }
-    all.insert(all.end(), mesh.points.begin(), mesh.points.end());
+    std::vector<exhibit> exhibits = exhibits_of(from, faces, look);
+    move_all(faces.points, exhibits.front().aside);
+    if (boxes.full_count > 0)
+        move_all(boxes.points, exhibits[1].aside);
+    move_all(mesh.points, exhibits.back().aside);
+    collection all;
+    all.add(faces.points, faces.triangles);
+    all.add(boxes.points, boxes.triangles);
+    all.add(mesh.points, mesh.triangles);
 
     std::vector<legend_entry> legend = mark_legend(from);
-    framing frame(target.world()->GetActiveCamera(), all, look, target.paper_width(),
+    framing frame(target.world()->GetActiveCamera(), all.points, look, target.paper_width(),
                   {56, 56, 92, legend.empty() ? 130.0 : 160.0});
-    target.world()->AddActor(shadow_actor(all, triangles));
-    add_voxels(target, faces, frame.units_at_middle(), std::max(1, from.voxels_per_side));
+    int side = std::max(1, from.voxels_per_side);
+    target.world()->AddActor(shadow_actor(all.points, all.triangles));
+    add_voxels(target, faces, frame.units_at_middle(), side);
+    if (boxes.full_count > 0)
+        add_voxels(target, boxes, frame.units_at_middle(), side);
     add_mesh_beside(target, from, mesh, frame.units_at_middle());
     target.on_paper([&](paper &sheet) {
-        std::string k = std::to_string(from.voxels_per_side);
-        double y = sheet.height() - (legend.empty() ? 74 : 100);
         draw_title(sheet, from.title, from.subtitle);
-        draw_caption(sheet, {frame.on_paper(aside * -1).x, y},
-                     k + " × " + k + " × " + k + " voxels",
-                     from.cut ? grouped(faces.full_count) + " full, a sample of more"
-                              : voxel_bytes(from.voxels_per_side));
-        if (beside)
-            draw_caption(sheet, {frame.on_paper(aside).x, y},
-                         grouped(int64_t(from.mesh.points.size())) + " vertices, " +
-                             grouped(int64_t(from.mesh.triangles.size())) + " triangles",
-                         mesh_bytes(from.mesh));
+        draw_exhibits(sheet, exhibits, frame, sheet.height() - (legend.empty() ? 74 : 100));
         draw_legend(sheet, legend);
         draw_axes(sheet, look);
     });
