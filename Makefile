@@ -28,6 +28,7 @@ PICTURE_PACKAGES := g++ libvtk9-dev libopenimageio-dev libegl-dev libegl1 libgl1
   libjs-three
 DEMO_PACKAGES := zip
 TEST_PACKAGES := libcmocka-dev chromium python3
+PEER_PACKAGES := g++ libopenmesh-dev libcgal-dev libmeshoptimizer-dev libassimp-dev libvtk9-dev
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 FUZZ_PACKAGES := clang libclang-rt-14-dev
 AFL_PACKAGES := afl++
@@ -45,8 +46,11 @@ endif
 ifneq ($(filter fuzz-afl,$(MAKECMDGOALS)),)
 PACKAGES += $(AFL_PACKAGES)
 endif
+ifneq ($(filter peers,$(MAKECMDGOALS)),)
+PACKAGES += $(PEER_PACKAGES)
+endif
 SELF_PREPARING := deps demo test unit validate lint format fuzz stability bench-grader growth pace
-SELF_PREPARING += mutants faults fuzz-afl coverage
+SELF_PREPARING += mutants faults fuzz-afl coverage peers
 
 # These goals install what they lack. Make includes build/deps.mk, finds that it must be made, makes
 # it (the installation) and starts itself anew with the packages in place.
@@ -143,6 +147,22 @@ $(BUILD)/bench-allocations.so: bench/preload/allocations.c
 	@mkdir -p $(@D)
 	$(call SHOW,CC  $<)$(CC) -std=c17 -D_GNU_SOURCE -I. -O2 -g -fPIC -shared $(WARNINGS) $(DEPENDENCIES) $< -o $@
 $(BUILD)/bench/measure/machine.o: CFLAGS += -DBUILD_FLAGS='"$(MODE)"'
+
+# Other libraries, each in a worker of its own, built as their users would.
+PEERS := $(filter-out peer,$(patsubst bench/peers/%.cpp,%,$(wildcard bench/peers/*.cpp)))
+PEER_FLAGS := -std=c++17 -O2 -DNDEBUG -I. -Wall -Wextra -isystem $(firstword $(wildcard /usr/include/vtk-9.*) /usr/include)
+PEER_VTK := CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersExtraction IOGeometry IOPLY
+PEER_LIBRARIES_openmesh = -lOpenMeshTools -lOpenMeshCore
+PEER_LIBRARIES_cgal = -lgmp -lmpfr
+PEER_LIBRARIES_meshoptimizer = -lmeshoptimizer
+PEER_LIBRARIES_assimp = -lassimp
+PEER_LIBRARIES_vtk = $(foreach m,$(PEER_VTK),-lvtk$(m)-$(patsubst vtk-%,%,$(notdir $(firstword $(wildcard /usr/include/vtk-9.*)))))
+peers: build/meshgrade $(PEERS:%=build/peers/%) ## build what measures other libraries, for bench --peers
+build/peers/%: build/peers/%.o build/peers/peer.o $(BUILD)/libmeshgrade.a
+	$(call SHOW,LD  $@)$(CXX) $^ -o $@ $(PEER_LIBRARIES_$*) -lm
+build/peers/%.o: bench/peers/%.cpp
+	@mkdir -p $(@D)
+	$(call SHOW,CXX $<)$(CXX) $(PEER_FLAGS) $(DEPENDENCIES) -c $< -o $@
 
 # ---------------------------------------------------------------- the runner
 # One relocatable object an exercise, with every name local but main and the allocation shim, so that
@@ -330,5 +350,5 @@ help: ## this list
 	@echo "make [goal] [config=release|debug|asan|coverage]"
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
 
-.PHONY: all unit test validate demo bench-grader growth pace stability lint format fuzz replays deps clean help
+.PHONY: all peers unit test validate demo bench-grader growth pace stability lint format fuzz replays deps clean help
 -include $(shell find build -name '*.d' 2>/dev/null)

@@ -161,6 +161,15 @@ static void add_kernels(struct job *job, const struct plan_wish *wish)
 
 /* ---- the plan ---- */
 
+/* Peers' programs know all operations; each comparison has its own. */
+static const char *operations_of(unsigned what)
+{
+    if (what == BENCH_KERNELS)
+        return " edges-closed edges-any twins area face-normals vertex-normals stripify "
+               "vertex-cache ";
+    return what == BENCH_READERS ? " read-ply-binary read-ply-ascii read-obj read-off " : NULL;
+}
+
 static int blocks_for(const struct plan_wish *wish, int64_t triangles)
 {
     if (wish->blocks)
@@ -179,6 +188,7 @@ static void fill_job(struct job *job, const struct plan_wish *wish, unsigned wha
     job->blocks = blocks_for(wish, mesh->triangles);
     job->rounds = wish->quick ? 2 : 3;
     job->cold_rounds = 1;
+    job->only = operations_of(what);
     if (what == BENCH_REPRESENTATIONS)
         add_representations(job, wish);
     if (what == BENCH_KERNELS)

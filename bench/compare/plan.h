@@ -43,6 +43,7 @@ struct job {
     char name[JOB_NAME]; /* "kernels torus-100k-scrambled": also in the journal */
     struct bench_mesh mesh;
     int blocks, rounds, cold_rounds;
+    const char *only; /* operations, " a b c "; NULL: all that the contenders have; static */
     struct contender contenders[BLOCK_PROGRAMS_MAX];
     int contender_count;
     int baseline; /* the contender that ratios are to */

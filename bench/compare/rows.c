@@ -293,11 +293,12 @@ static void add_bytes_row(const json_t *build, json_t *rows)
 static void add_refusal(const struct gathered *all, const struct contender *contender,
                         const char *why, json_t *rows)
 {
+    const char *operation = contender->kind == CONTENDER_REPRESENTATION ? "build" : "start";
     json_t *measure = json_pack("{s:s}", "error", why);
     struct row row = {.all = all,
                       .contender = contender,
-                      .operation = "build",
-                      .as_operation = "build",
+                      .operation = operation,
+                      .as_operation = operation,
                       .first = measure};
     add_row(&row, rows);
     json_decref(measure);
@@ -333,7 +334,7 @@ static void add_contender_rows(const struct gathered *all, const struct contende
     const char *refused = json_string_value(json_object_get(found, "refused"));
     size_t i;
     const json_t *measure;
-    if (refused)
+    if (refused && contender->kind != CONTENDER_KERNEL) /* a variant may have nothing for a mesh */
         add_refusal(all, contender, refused, rows);
     json_array_foreach(json_object_get(found, "measures"), i, measure)
     {

@@ -124,7 +124,8 @@ static int do_block(const struct run_wish *wish, const struct job *job, int numb
                               .number = number,
                               .rounds = job->rounds,
                               .cold_rounds = job->cold_rounds,
-                              .seconds = ANSWER_SECONDS};
+                              .seconds = ANSWER_SECONDS,
+                              .only = job->only};
     if (block_run(&plan, watch, results, err) != 0)
         return -1;
     return journal_add(

@@ -8,7 +8,7 @@ enum { NUMBER = 24, NAME_WIDTH = 22 };
 struct table {
     FILE *to;
     bool bold;
-    bool has_noisy, has_refused, has_different; /* what the closing lines must explain */
+    bool has_noisy, has_refused, has_equal, has_different; /* what the closing lines must explain */
 };
 
 /* ---- numbers ---- */
@@ -216,14 +216,11 @@ static void write_ratio(struct table *table, const json_t *row)
         write_digits(median, number(ratio, "median"));
         write_digits(low, number(ratio, "low"));
         write_digits(high, number(ratio, "high"));
-        if (json_is_true(json_object_get(ratio, "too_noisy"))) {
-            snprintf(whole, sizeof whole, "too noisy [%s, %s]", low, high);
-            table->has_noisy = true;
-        } else {
-            snprintf(whole, sizeof whole, "%s [%s, %s]", median, low, high);
-        }
+        bool too_noisy = json_is_true(json_object_get(ratio, "too_noisy"));
+        snprintf(whole, sizeof whole, "%s [%s, %s]", too_noisy ? "~" : median, low, high);
+        table->has_noisy |= too_noisy;
     }
-    fprintf(table->to, "  %-26s%-8s", whole, text(ratio, "to"));
+    fprintf(table->to, "%22s %-7s", whole, text(ratio, "to"));
 }
 
 static void write_line(struct table *table, const json_t *row, const char *operation)
@@ -232,32 +229,37 @@ static void write_line(struct table *table, const json_t *row, const char *opera
     const json_t *times = json_object_get(row, "ns_per_triangle");
     const json_t *fresh = json_object_get(row, "cold_ns_per_triangle");
     const json_t *bound = json_object_get(row, "limit");
+    const char *answer = text(row, "answer");
     bool is_kernel = strcmp(text(row, "kind"), "kernel") == 0;
+    fprintf(table->to, "  %-16s%-21.20s", operation,
+            is_kernel ? text(row, "variant") : text(row, "title"));
+    if (json_is_string(json_object_get(row, "error"))) {
+        fprintf(table->to, "  %.56s\n", text(row, "error"));
+        return;
+    }
     if (json_is_object(times))
         write_time(warm, number(times, "median"));
     if (json_is_object(fresh))
         write_time(cold, number(fresh, "median"));
     if (json_is_object(bound))
         snprintf(limit, sizeof limit, "%.0f %%", 100 * number(bound, "fraction"));
-    fprintf(table->to, "  %-16s%-*.*s%10s", operation, NAME_WIDTH - 4, NAME_WIDTH - 5,
-            is_kernel ? text(row, "variant") : text(row, "title"), warm);
+    fprintf(table->to, "%8s", warm);
     write_ratio(table, row);
-    fprintf(table->to, "%9s%7s", cold, limit);
-    if (json_is_string(json_object_get(row, "error")))
-        fprintf(table->to, " %.60s", text(row, "error"));
-    if (strcmp(text(row, "answer"), "different") == 0) {
-        fputs(" ! another answer", table->to);
-        table->has_different = true;
-    }
-    fputs("\n", table->to);
+    fprintf(table->to, " %s%9s%7s\n",
+            strcmp(answer, "equal") == 0       ? "="
+            : strcmp(answer, "different") == 0 ? "!"
+                                               : " ",
+            cold, limit);
+    table->has_different |= strcmp(answer, "different") == 0;
+    table->has_equal |= strcmp(answer, "equal") == 0;
 }
 
 static void write_list(struct table *table, const json_t *rows, const json_t *first)
 {
     size_t i, k;
     const json_t *row, *other;
-    fprintf(table->to, "  %-*s%14s  %-26s%-8s%9s%7s\n", NAME_WIDTH + 8, "operation", "ns/tri",
-            "ratio [interval]", "to", "cold", "limit");
+    fprintf(table->to, "  %-37s%8s%22s %-9s%9s%7s\n", "operation", "ns/tri", "ratio [interval]",
+            "to", "cold", "limit");
     json_array_foreach(rows, i, row)
     {
         bool is_first_of_its_kind = same_table(row, first);
@@ -306,6 +308,11 @@ static void write_closing(const struct table *table, const json_t *document)
     fprintf(table->to, "\n%.0f samples, %.1f %% dropped because the core was slowed", samples,
             samples > 0 ? 100 * number(noise, "dropped") / samples : 0.0);
     fputs("; intervals are those of the sign test\n", table->to);
+    if (table->has_equal)
+        fputs(
+            "ratio: time over that of the row named, in the same blocks; = the answers are equal\n"
+            "cold: on fresh pages; limit: copying the bytes that must move, over the least time\n",
+            table->to);
     if (table->has_noisy)
         fputs("~, too noisy: the interval is wider than a quarter either way\n", table->to);
     if (table->has_refused)

@@ -1,0 +1,47 @@
+// meshoptimizer: strips for the renderer.
+#include "bench/peers/peer.hpp"
+
+#include <meshoptimizer.h>
+
+#include <memory>
+
+namespace
+{
+
+struct state {
+    std::vector<unsigned int> indices, ordered, strip;
+    std::size_t vertex_count = 0, strip_count = 0;
+
+    // As its manual says: first an order for the vertex cache that suits strips, then the strips,
+    // with restarts.
+    void stripify()
+    {
+        ordered.resize(indices.size());
+        meshopt_optimizeVertexCacheStrip(ordered.data(), indices.data(), indices.size(),
+                                         vertex_count);
+        strip.resize(meshopt_stripifyBound(indices.size()));
+        strip_count =
+            meshopt_stripify(strip.data(), ordered.data(), ordered.size(), vertex_count, ~0u);
+    }
+};
+
+std::vector<peer::operation> make(const snapshot &snapshot, const std::string &)
+{
+    auto s = std::make_shared<state>();
+    const std::int32_t *first = snapshot.mesh.triangles;
+    s->indices.assign(first, first + 3 * std::int64_t{snapshot.mesh.triangle_count});
+    s->vertex_count = static_cast<std::size_t>(snapshot.mesh.vertex_count);
+    return {{"stripify",
+             [s] { s->stripify(); },
+             {},
+             [s](worker_answer &answer) {
+                 worker_fact(&answer, "indices", static_cast<double>(s->strip_count));
+             }}};
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    return peer::serve(argc, argv, make);
+}
