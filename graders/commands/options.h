@@ -34,6 +34,7 @@ int options_parse(const struct command *command, const struct option_rule *rules
 long options_number(const char *name, const char *text, long least, long absent);
 
 extern const struct command command_list, command_start, command_check, command_grade,
-    command_report, command_export, command_validate, command_doctor, command_bench;
+    command_report, command_export, command_validate, command_doctor, command_bench,
+    command_calibrate;
 
 #endif

@@ -1,5 +1,5 @@
 /* The checks that rest on sized inputs: growth of the work, amount of work, peak of memory. */
-#include "graders/engine/trial.h"
+#include "graders/engine/pace.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -194,7 +194,7 @@ static int judge_work(struct trial *trial, struct error *err)
     bool slower = false;
     find_work_ratios(trial, &family);
     bool above = trial->work_ratio > exercise->work_band;
-    if (above && trial_is_slower(trial, family, trial->yardstick->size_count - 1,
+    if (above && trial_is_slower(trial, family, pace_size_index(trial->yardstick),
                                  exercise->work_band, &slower, err) != 0)
         return -1;
     struct check_result *check = &trial->checks[CHECK_WORK];

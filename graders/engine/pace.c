@@ -75,6 +75,14 @@ static int start_both(struct pace *pace, const struct input *sample, struct erro
     return series_start(&pace->submission, &plan, err);
 }
 
+int pace_size_index(const struct yardstick *yardstick)
+{
+    int index = 0;
+    while (index + 1 < SIZES_MAX && yardstick->sizes[index + 1] > 0)
+        index++;
+    return index;
+}
+
 int pace_start(struct pace *pace, struct trial *trial, int family, int size_index,
                struct error *err)
 {

@@ -21,6 +21,11 @@ struct pace {
     cpu_set_t before;   /* where the engine may run otherwise */
 };
 
+/* The size for paired runs: the largest there is. Short calls are charged mostly for what happens
+ * around them: at 8,192 triangles and 33 us a call, other work on the machine moved the median
+ * ratio of one and the same submission between 11 and 14. */
+int pace_size_index(const struct yardstick *yardstick);
+
 /* Starts both programs and runs three pairs to warm up. The trial must be built; it is borrowed.
  * Returns 0, or -1 and *err: a fault. pace_end must follow in any case. */
 int pace_start(struct pace *pace, struct trial *trial, int family, int size_index,

@@ -91,7 +91,7 @@ static int decide(struct trial *trial, const char *name, int decisions, int *wro
                   struct error *err)
 {
     double true_ratio;
-    int size_index = trial->yardstick->size_count - 1;
+    int size_index = pace_size_index(trial->yardstick);
     if (find_true_ratio(trial, size_index, &true_ratio, err) != 0)
         return -1;
     printf("| %s | %.2f |", name, true_ratio);
