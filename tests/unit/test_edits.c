@@ -363,6 +363,26 @@ static void a_tetrahedron_cannot_collapse(void **state)
     finish(&s);
 }
 
+/* Two triangles back to back, which a strict eye takes for one: nothing can be done to them. */
+static void a_pillow_stays_as_it_is(void **state)
+{
+    (void)state;
+    const float positions[9] = {0};
+    const int32_t corners[6] = {0, 1, 2, 0, 2, 1};
+    const struct polygons polygons = {corners, NULL, 3, 2};
+    struct half_edge_mesh he;
+    struct winged_edge_mesh we;
+    assert_int_equal(half_edge_build(&he, &polygons, positions, NULL), 0);
+    assert_int_equal(winged_edge_build(&we, &polygons, positions, NULL), 0);
+    for (int32_t h = 0; h < 6; h++) {
+        struct winged_side side = {h % 3, h / 3};
+        assert_false(half_edge_can_collapse(&he, h) || half_edge_can_flip(&he, h));
+        assert_false(winged_edge_can_collapse(&we, side) || winged_edge_can_flip(&we, side));
+    }
+    half_edge_release(&he);
+    winged_edge_release(&we);
+}
+
 /* Splitting every face and collapsing the new vertices again gives back the mesh. */
 static void split_faces_collapse_back(void **state)
 {
@@ -391,6 +411,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_edits_keep_the_invariants),
         cmocka_unit_test(a_tetrahedron_cannot_collapse),
+        cmocka_unit_test(a_pillow_stays_as_it_is),
         cmocka_unit_test(split_faces_collapse_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
