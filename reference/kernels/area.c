@@ -1,6 +1,8 @@
 /* Area in the plainest way; see area.h. */
 #include "reference/kernels/area.h"
 
+#include "reference/kernels/order.h"
+
 #include <math.h>
 
 size_t area_output_bytes(int64_t vertex_count, int64_t triangle_count)
@@ -29,10 +31,14 @@ int64_t area_plain(const struct mesh *mesh, void *scratch, void *output)
     (void)scratch;
     const float *p = mesh->positions;
     const int32_t *t = mesh->triangles;
+    const bool is_scattered = mesh_is_scattered(mesh);
     double twice_area = 0;
-    for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3)
+    for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3) {
+        if (is_scattered && left > CORNERS_AHEAD)
+            prefetch_corners(p, t + 3 * CORNERS_AHEAD);
         twice_area +=
             twice_triangle_area(p + 3 * (size_t)t[0], p + 3 * (size_t)t[1], p + 3 * (size_t)t[2]);
+    }
     *(double *)output = 0.5 * twice_area;
     return 1;
 }

@@ -18,5 +18,9 @@ int64_t area_moved_bytes(int64_t vertex_count, int64_t triangle_count, int64_t r
 
 /* The contract of kernel.h; returns 1. */
 int64_t area_plain(const struct mesh *mesh, void *scratch, void *output);
+#if defined(__x86_64__)
+int64_t area_avx2(const struct mesh *mesh, void *scratch, void *output);
+int64_t area_avx512(const struct mesh *mesh, void *scratch, void *output);
+#endif
 
 #endif

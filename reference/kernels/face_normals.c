@@ -1,6 +1,8 @@
 /* A normal for each triangle; see normals.h. */
 #include "reference/kernels/normals.h"
 
+#include "reference/kernels/order.h"
+
 #include <math.h>
 
 size_t face_normals_output_bytes(int64_t vertex_count, int64_t triangle_count)
@@ -32,8 +34,12 @@ int64_t face_normals_plain(const struct mesh *mesh, void *scratch, void *output)
     (void)scratch;
     const float *p = mesh->positions;
     const int32_t *t = mesh->triangles;
+    const bool is_scattered = mesh_is_scattered(mesh);
     float *normal = output;
-    for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3, normal += 3)
+    for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3, normal += 3) {
+        if (is_scattered && left > CORNERS_AHEAD)
+            prefetch_corners(p, t + 3 * CORNERS_AHEAD);
         write_normal(p + 3 * (size_t)t[0], p + 3 * (size_t)t[1], p + 3 * (size_t)t[2], normal);
+    }
     return mesh->triangle_count;
 }

@@ -40,12 +40,32 @@ const struct kernel kernel_table[] = {
 #endif
     {"twins", "plain", "side", false, always, twins_scratch_bytes, twins_output_bytes,
      twins_moved_bytes, twins_plain},
+#if defined(__x86_64__)
+    {"twins", "avx512", "side", false, cpu_has_avx512, twins_scratch_bytes, twins_output_bytes,
+     twins_moved_bytes, twins_avx512},
+#endif
     {"area", "plain", "area", false, always, no_scratch, area_output_bytes, area_moved_bytes,
      area_plain},
+#if defined(__x86_64__)
+    {"area", "avx2", "area", false, cpu_has_avx2, no_scratch, area_output_bytes, area_moved_bytes,
+     area_avx2},
+    {"area", "avx512", "area", false, cpu_has_avx512, no_scratch, area_output_bytes,
+     area_moved_bytes, area_avx512},
+#endif
     {"face-normals", "plain", "normal", false, always, no_scratch, face_normals_output_bytes,
      face_normals_moved_bytes, face_normals_plain},
+#if defined(__x86_64__)
+    {"face-normals", "avx2", "normal", false, cpu_has_avx2, no_scratch, face_normals_output_bytes,
+     face_normals_moved_bytes, face_normals_avx2},
+    {"face-normals", "avx512", "normal", false, cpu_has_avx512, no_scratch,
+     face_normals_output_bytes, face_normals_moved_bytes, face_normals_avx512},
+#endif
     {"vertex-normals", "plain", "normal", false, always, vertex_normals_scratch_bytes,
      vertex_normals_output_bytes, vertex_normals_moved_bytes, vertex_normals_plain},
+#if defined(__x86_64__)
+    {"vertex-normals", "avx2", "normal", false, cpu_has_avx2, vertex_normals_scratch_bytes,
+     vertex_normals_output_bytes, vertex_normals_moved_bytes, vertex_normals_avx2},
+#endif
     {0},
 };
 

@@ -17,6 +17,10 @@ int64_t face_normals_moved_bytes(int64_t vertex_count, int64_t triangle_count,
 
 /* The contract of kernel.h; returns the number of triangles. */
 int64_t face_normals_plain(const struct mesh *mesh, void *scratch, void *output);
+#if defined(__x86_64__)
+int64_t face_normals_avx2(const struct mesh *mesh, void *scratch, void *output);
+int64_t face_normals_avx512(const struct mesh *mesh, void *scratch, void *output);
+#endif
 
 size_t vertex_normals_scratch_bytes(int64_t vertex_count, int64_t triangle_count);
 size_t vertex_normals_output_bytes(int64_t vertex_count, int64_t triangle_count);
@@ -25,5 +29,11 @@ int64_t vertex_normals_moved_bytes(int64_t vertex_count, int64_t triangle_count,
 
 /* The contract of kernel.h; returns the number of vertices. */
 int64_t vertex_normals_plain(const struct mesh *mesh, void *scratch, void *output);
+#if defined(__x86_64__)
+int64_t vertex_normals_avx2(const struct mesh *mesh, void *scratch, void *output);
+#endif
+
+/* The normal of one vertex, of its sum. */
+void vertex_normal_write(const float sum[3], float normal[3]);
 
 #endif

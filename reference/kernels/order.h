@@ -6,10 +6,21 @@
 #include "reference/mesh/mesh.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* Looks at a few hundred places of the triangle table. True means that tables of some 16 bytes a
  * vertex outgrow a core's cache and that triangles in a row name vertices from all over them, so
  * that kernels do well to prefetch. It is only about speed: no output depends on it. */
 bool mesh_is_scattered(const struct mesh *mesh);
+
+/* How many triangles before its turn a triangle's corners are asked for in a scattered mesh. */
+enum { CORNERS_AHEAD = 16 };
+
+/* Asks for the positions of a triangle's corners. */
+static inline void prefetch_corners(const float *positions, const int32_t t[3])
+{
+    for (int corner = 0; corner < 3; corner++)
+        __builtin_prefetch(positions + 3 * (size_t)t[corner]);
+}
 
 #endif

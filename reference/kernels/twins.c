@@ -1,11 +1,14 @@
-/* Twins by rows of sides at their smaller vertex; see twins.h. */
+/* Twins found in the rows of smaller vertices; see twins.h. */
 #include "reference/kernels/twins.h"
+
+#include "reference/kernels/side_rows.h"
+#include "reference/kernels/twin_pairs.h"
 
 #include <string.h>
 
 size_t twins_scratch_bytes(int64_t vertex_count, int64_t triangle_count)
 {
-    return 16 * (size_t)vertex_count + 12 * (size_t)triangle_count + 64;
+    return side_rows_bytes(vertex_count, triangle_count);
 }
 
 size_t twins_output_bytes(int64_t vertex_count, int64_t triangle_count)
@@ -20,65 +23,58 @@ int64_t twins_moved_bytes(int64_t vertex_count, int64_t triangle_count, int64_t 
     return 12 * triangle_count + 4 * side_count;
 }
 
-static int32_t side_end(const struct mesh *mesh, int32_t side)
-{
-    return mesh->triangles[side % 3 == 2 ? side - 2 : side + 1];
-}
-
-/* The sides of the mesh by their first vertex; row v ends at end[v]. */
-static void fill_rows(const struct mesh *mesh, int32_t *end, int32_t *entry)
-{
-    int32_t side_count = 3 * mesh->triangle_count, total = 0;
-    memset(end, 0, (size_t)mesh->vertex_count * sizeof *end);
-    for (int32_t side = 0; side < side_count; side++)
-        end[mesh->triangles[side]]++;
-    for (int32_t v = 0; v < mesh->vertex_count; v++) {
-        int32_t count = end[v];
-        end[v] = total;
-        total += count;
-    }
-    for (int32_t side = 0; side < side_count; side++)
-        entry[end[mesh->triangles[side]]++] = side;
-}
-
-/* What is known of the sides between the vertex in hand and another one. */
-struct between {
-    int32_t vertex;   /* the vertex for which this holds; other values mean: nothing yet */
-    int32_t outgoing; /* the side that runs there, or TWIN_MANY */
-    int32_t incoming; /* how many run back */
+/* The sides met last, by a hash of the neighbour: a small table that stays in the nearest cache and
+ * needs no clearing between rows, as every entry names its row. */
+enum { MEMORY_BITS = 8 };
+struct memory {
+    uint64_t edge[1 << MEMORY_BITS]; /* vertex * 2^32 + neighbour */
+    uint32_t side[1 << MEMORY_BITS];
 };
 
-static int32_t side_before(int32_t side)
+/* Pairs the sides of a row without a branch on the data. Returns false, with nothing entered, when
+ * the row has an edge that is not manifold or incoherent, or the small table forgot a side. */
+static bool match_quickly(const struct side_rows *rows, int32_t vertex, struct memory *memory,
+                          struct twin_pairs *pairs)
 {
-    return side % 3 == 0 ? side + 2 : side - 1;
-}
-
-/* Gives the sides that end at v their twins among the sides that start there. */
-static void match_around(const struct mesh *mesh, int32_t v, const int32_t *sides, int32_t count,
-                         struct between *between, int32_t *twin)
-{
-    for (int32_t k = 0; k < count; k++) {
-        struct between *b = between + side_end(mesh, sides[k]);
-        *b = (struct between){v, b->vertex == v ? TWIN_MANY : sides[k], 0};
+    size_t count = rows->counts[vertex], pair_count = pairs->count;
+    bool odd = false;
+    for (size_t k = 0; k < count; k++) {
+        uint64_t place = *side_row_place(rows->storeys, rows->vertex_count, vertex, k);
+        uint32_t neighbour = (uint32_t)place, side = (uint32_t)(place >> 32);
+        uint64_t edge = (uint64_t)vertex << 32 | neighbour;
+        uint32_t slot = neighbour * UINT32_C(0x9E3779B1) >> (32 - MEMORY_BITS);
+        uint32_t met = memory->side[slot];
+        bool same_edge = memory->edge[slot] == edge;
+        bool same_row = memory->edge[slot] >> 32 == (uint64_t)vertex;
+        bool opposite = (met ^ side) & SIDE_BACKWARD;
+        pairs->one[pair_count] = side & ~SIDE_BACKWARD;
+        pairs->other[pair_count] = met & ~SIDE_BACKWARD;
+        pair_count += same_edge;
+        odd |= (same_row & !same_edge) | (same_edge & !opposite) | (neighbour == (uint32_t)vertex);
+        /* Once paired, an edge that comes again is one for the careful way. */
+        memory->edge[slot] = same_edge ? edge | UINT32_MAX : edge;
+        memory->side[slot] = side;
     }
-    for (int32_t k = 0; k < count; k++)
-        between[mesh->triangles[side_before(sides[k])]].incoming++;
-    for (int32_t k = 0; k < count; k++) {
-        int32_t side = side_before(sides[k]);
-        const struct between *b = between + mesh->triangles[side];
-        twin[side] = b->vertex != v || mesh->triangles[side] == v ? TWIN_NONE
-                     : b->incoming > 1                            ? TWIN_MANY
-                                                                  : b->outgoing;
-    }
+    pairs->count = odd ? pairs->count : pair_count;
+    return !odd;
 }
 
 int64_t twins_plain(const struct mesh *mesh, void *scratch, void *output)
 {
-    struct between *between = scratch;
-    int32_t *end = (int32_t *)(between + mesh->vertex_count), *entry = end + mesh->vertex_count;
-    memset(between, -1, (size_t)mesh->vertex_count * sizeof *between);
-    fill_rows(mesh, end, entry);
-    for (int32_t v = 0, begin = 0; v < mesh->vertex_count; begin = end[v++])
-        match_around(mesh, v, entry + begin, end[v] - begin, between, output);
+    struct side_rows rows = side_rows_of(mesh, scratch);
+    struct twin_pairs pairs = {.twin = output};
+    struct memory memory;
+    memset(&memory, -1, sizeof memory);
+    memset(output, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
+    for (int32_t v = 0; v < mesh->vertex_count; v++) {
+        if (rows.counts[v] > SIDE_ROW_PLACES)
+            continue;
+        if (!match_quickly(&rows, v, &memory, &pairs))
+            side_rows_match_carefully(&rows, v, output);
+        if (pairs.count >= TWIN_PAIRS)
+            twin_pairs_flush(&pairs);
+    }
+    twin_pairs_flush(&pairs);
+    side_rows_match_overflow(&rows, output);
     return 3 * (int64_t)mesh->triangle_count;
 }

@@ -25,5 +25,9 @@ int64_t twins_moved_bytes(int64_t vertex_count, int64_t triangle_count, int64_t 
 
 /* The contract of kernel.h; returns the number of sides. */
 int64_t twins_plain(const struct mesh *mesh, void *scratch, void *output);
+#if defined(__x86_64__)
+int64_t twins_avx2(const struct mesh *mesh, void *scratch, void *output);
+int64_t twins_avx512(const struct mesh *mesh, void *scratch, void *output);
+#endif
 
 #endif

@@ -1,6 +1,8 @@
 /* A normal for each vertex, weighted by area; see normals.h. */
 #include "reference/kernels/normals.h"
 
+#include "reference/kernels/order.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -37,7 +39,7 @@ static void add_triangle(const float *p, const int32_t t[3], float *sums)
     }
 }
 
-static void write_unit(const float *sum, float *normal)
+void vertex_normal_write(const float sum[3], float normal[3])
 {
     double x = (double)sum[0], y = (double)sum[1], z = (double)sum[2];
     double squared = x * x + y * y + z * z;
@@ -51,10 +53,18 @@ int64_t vertex_normals_plain(const struct mesh *mesh, void *scratch, void *outpu
 {
     float *sums = scratch, *normals = output;
     memset(sums, 0, 16 * (size_t)mesh->vertex_count);
+    const bool is_scattered = mesh_is_scattered(mesh);
+    const float *p = mesh->positions;
     const int32_t *t = mesh->triangles;
-    for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3)
-        add_triangle(mesh->positions, t, sums);
+    for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3) {
+        if (is_scattered && left > CORNERS_AHEAD) {
+            prefetch_corners(p, t + 3 * CORNERS_AHEAD);
+            for (int k = 3 * CORNERS_AHEAD; k < 3 * CORNERS_AHEAD + 3; k++)
+                __builtin_prefetch(sums + 4 * (size_t)t[k], 1);
+        }
+        add_triangle(p, t, sums);
+    }
     for (size_t v = 0; v < (size_t)mesh->vertex_count; v++)
-        write_unit(sums + 4 * v, normals + 3 * v);
+        vertex_normal_write(sums + 4 * v, normals + 3 * v);
     return mesh->vertex_count;
 }

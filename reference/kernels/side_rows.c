@@ -1,0 +1,197 @@
+/* Rows of sides; see side_rows.h. */
+#include "reference/kernels/side_rows.h"
+
+#include "reference/kernels/order.h"
+#include "reference/kernels/twins.h"
+
+#include <string.h>
+
+/* What is known of the sides between the vertex in hand and another one, by direction. */
+struct between {
+    int32_t vertex; /* for which this holds */
+    uint32_t count[2], side[2];
+};
+
+static size_t padded(size_t bytes)
+{
+    return (bytes + 127) / 64 * 64;
+}
+
+size_t side_rows_bytes(int64_t vertex_count, int64_t triangle_count)
+{
+    size_t v = (size_t)vertex_count, t = (size_t)triangle_count;
+    return padded(v) + 2 * v * sizeof(struct storey) +
+           2 * padded(3 * t * sizeof(struct loose_side)) + padded(v * sizeof(struct between)) +
+           padded(4 * v);
+}
+
+void side_rows_add_slowly(struct side_rows *rows, int32_t vertex, uint64_t place)
+{
+    uint8_t *count = rows->counts + vertex;
+    if (*count < SIDE_ROW_PLACES) {
+        *side_row_place(rows->storeys, rows->vertex_count, vertex, *count) = place;
+        *count = (uint8_t)(*count + 1);
+        return;
+    }
+    *count = SIDE_ROW_PLACES + 1;
+    rows->overflow[rows->overflow_count++] = (struct loose_side){vertex, place};
+}
+
+/* Starts at the smallest corner: the row of that one takes two sides. */
+static inline void add_triangle(struct filling f, const int32_t t[3], uint32_t side)
+{
+    static const uint8_t after[4] = {1, 2, 0, 1};
+    unsigned p = t[1] < t[0];
+    p = t[2] < t[p] ? 2 : p;
+    unsigned q = after[p], r = after[p + 1];
+    int32_t a = t[p], b = t[q], c = t[r];
+    filling_add_two(f, a, side_place(b, side + p), side_place(c, (side + r) | SIDE_BACKWARD));
+    uint32_t backward = b < c ? 0 : SIDE_BACKWARD;
+    filling_add_one(f, b < c ? b : c, side_place(b < c ? c : b, (side + q) | backward));
+}
+
+void side_rows_fill_from(struct filling f, const struct mesh *mesh, uint32_t first)
+{
+    const int32_t *t = mesh->triangles + 3 * (size_t)first;
+    for (uint32_t k = first, stop = (uint32_t)mesh->triangle_count; k < stop; k++, t += 3)
+        add_triangle(f, t, 3 * k);
+}
+
+/* All but the last AHEAD triangles. Returns how many. */
+static uint32_t fill_with_prefetch(struct filling f, const struct mesh *mesh)
+{
+    enum { AHEAD = 16 };
+    const int32_t *t = mesh->triangles;
+    uint32_t k = 0, stop = (uint32_t)mesh->triangle_count;
+    for (; k + AHEAD < stop; k++, t += 3) {
+        const int32_t *next = t + 3 * AHEAD;
+        int32_t less = next[0] < next[1] ? next[0] : next[1];
+        int32_t more = next[0] < next[1] ? next[1] : next[0];
+        int32_t rest = less < next[2] ? next[2] : less;
+        filling_prefetch(f, less < next[2] ? less : next[2]);
+        filling_prefetch(f, rest < more ? rest : more);
+        add_triangle(f, t, 3 * k);
+    }
+    return k;
+}
+
+struct side_rows side_rows_begin(const struct mesh *mesh, void *scratch)
+{
+    size_t v = (size_t)mesh->vertex_count, t = (size_t)mesh->triangle_count;
+    char *at = scratch;
+    struct side_rows rows = {.vertex_count = mesh->vertex_count};
+    rows.counts = (uint8_t *)at;
+    rows.storeys = (struct storey *)(at += padded(v));
+    rows.overflow = (struct loose_side *)(at += 2 * v * sizeof(struct storey));
+    rows.sorting = at + padded(3 * t * sizeof(struct loose_side));
+    if (v > 0)
+        memset(rows.counts, 0, v);
+    return rows;
+}
+
+struct side_rows side_rows_of(const struct mesh *mesh, void *scratch)
+{
+    struct side_rows rows = side_rows_begin(mesh, scratch);
+    struct filling f = {rows.counts, rows.storeys, rows.vertex_count, &rows};
+    side_rows_fill_from(f, mesh, mesh_is_scattered(mesh) ? fill_with_prefetch(f, mesh) : 0);
+    return rows;
+}
+
+static int32_t twin_of(uint32_t same, uint32_t opposite, uint32_t opposite_side)
+{
+    if (opposite == 0)
+        return TWIN_NONE;
+    return same == 1 && opposite == 1 ? (int32_t)(opposite_side & ~SIDE_BACKWARD) : TWIN_MANY;
+}
+
+static int32_t neighbour_of(uint64_t place)
+{
+    return (int32_t)(uint32_t)place;
+}
+
+static uint32_t side_of(uint64_t place)
+{
+    return (uint32_t)(place >> 32);
+}
+
+void side_rows_match_carefully(const struct side_rows *rows, int32_t vertex, int32_t *twin)
+{
+    size_t count = rows->counts[vertex];
+    for (size_t k = 0; k < count; k++) {
+        uint64_t own = *side_row_place(rows->storeys, rows->vertex_count, vertex, k);
+        uint32_t same = 0, opposite = 0, opposite_side = 0;
+        for (size_t m = 0; m < count; m++) {
+            uint64_t other = *side_row_place(rows->storeys, rows->vertex_count, vertex, m);
+            if (neighbour_of(other) != neighbour_of(own))
+                continue;
+            if ((side_of(other) ^ side_of(own)) & SIDE_BACKWARD) {
+                opposite++;
+                opposite_side = side_of(other);
+            } else {
+                same++;
+            }
+        }
+        twin[side_of(own) & ~SIDE_BACKWARD] =
+            neighbour_of(own) == vertex ? TWIN_NONE : twin_of(same, opposite, opposite_side);
+    }
+}
+
+static void note(struct between *between, int32_t vertex, uint64_t place)
+{
+    struct between *b = between + neighbour_of(place);
+    if (b->vertex != vertex)
+        *b = (struct between){.vertex = vertex};
+    int backward = side_of(place) >= SIDE_BACKWARD;
+    b->count[backward]++;
+    b->side[backward] = side_of(place);
+}
+
+static void match(const struct between *between, int32_t vertex, uint64_t place, int32_t *twin)
+{
+    const struct between *b = between + neighbour_of(place);
+    int backward = side_of(place) >= SIDE_BACKWARD;
+    twin[side_of(place) & ~SIDE_BACKWARD] =
+        neighbour_of(place) == vertex
+            ? TWIN_NONE
+            : twin_of(b->count[backward], b->count[!backward], b->side[!backward]);
+}
+
+/* By vertex, a counting sort; end[v] is then where the sides of v end. */
+static void sort_overflow(const struct side_rows *rows, int32_t *end, struct loose_side *sorted)
+{
+    memset(end, 0, 4 * (size_t)rows->vertex_count);
+    for (int64_t k = 0; k < rows->overflow_count; k++)
+        end[rows->overflow[k].vertex]++;
+    int32_t total = 0;
+    for (int32_t v = 0; v < rows->vertex_count; v++) {
+        int32_t count = end[v];
+        end[v] = total;
+        total += count;
+    }
+    for (int64_t k = 0; k < rows->overflow_count; k++)
+        sorted[end[rows->overflow[k].vertex]++] = rows->overflow[k];
+}
+
+void side_rows_match_overflow(const struct side_rows *rows, int32_t *twin)
+{
+    if (rows->overflow_count == 0)
+        return;
+    size_t v_count = (size_t)rows->vertex_count;
+    struct between *between = rows->sorting;
+    int32_t *end = (int32_t *)((char *)between + padded(v_count * sizeof *between));
+    struct loose_side *sorted = (struct loose_side *)((char *)end + padded(4 * v_count));
+    sort_overflow(rows, end, sorted);
+    memset(between, -1, v_count * sizeof *between);
+    for (int32_t v = 0, begin = 0; v < rows->vertex_count; begin = end[v++]) {
+        if (begin == end[v])
+            continue;
+        for (size_t k = 0; k < SIDE_ROW_PLACES; k++)
+            note(between, v, *side_row_place(rows->storeys, rows->vertex_count, v, k));
+        for (int32_t k = begin; k < end[v]; k++)
+            note(between, v, sorted[k].place);
+        for (size_t k = 0; k < SIDE_ROW_PLACES; k++)
+            match(between, v, *side_row_place(rows->storeys, rows->vertex_count, v, k), twin);
+        for (int32_t k = begin; k < end[v]; k++)
+            match(between, v, sorted[k].place, twin);
+    }
+}
