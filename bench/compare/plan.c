@@ -193,6 +193,8 @@ static void fill_job(struct job *job, const struct plan_wish *wish, unsigned wha
         add_representations(job, wish);
     if (what == BENCH_KERNELS)
         add_kernels(job, wish);
+    if (what == BENCH_READERS)
+        add_ours(job, wish, CONTENDER_READER, "reader", "meshgrade", "meshgrade");
     if (flags & WITH_PEERS || wish->mesh)
         add_peers(job, wish);
     bool with_peers = job->contender_count > 0 &&

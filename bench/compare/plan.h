@@ -23,7 +23,12 @@ enum bench_what {
 unsigned bench_what_find(const char *name);
 const char *bench_what_name(unsigned what);
 
-enum contender_kind { CONTENDER_REPRESENTATION, CONTENDER_KERNEL, CONTENDER_PEER };
+enum contender_kind {
+    CONTENDER_REPRESENTATION,
+    CONTENDER_KERNEL,
+    CONTENDER_READER,
+    CONTENDER_PEER
+};
 
 /* A program that takes part: ours as a worker, or a peer's. */
 struct contender {

@@ -145,7 +145,7 @@ static const char *compared_to(const struct gathered *all, const struct contende
 
 static void name_row(const struct row *row, json_t *object)
 {
-    static const char *const kinds[] = {"representation", "kernel", "peer"};
+    static const char *const kinds[] = {"representation", "kernel", "reader", "peer"};
     const struct contender *contender = row->contender;
     const struct job *job = row->all->job;
     bool is_kernel = contender->kind == CONTENDER_KERNEL;
@@ -230,7 +230,8 @@ static void add_limit(const struct row *row, json_t *object)
 static void add_facts(const struct row *row, json_t *object)
 {
     static const char *const told[] = {"vertices_processed", "queries", "boundary_loops", "strips",
-                                       "strip_vertices",     "records", "indices",        "bytes"};
+                                       "strip_vertices",     "records", "indices",        "bytes",
+                                       "file_bytes"};
     json_t *facts = json_object();
     double triangles = number(row->all->mesh, "triangles");
     double bytes = fact(row->first, "bytes", -1), formula = fact(row->first, "formula_bytes", -1);

@@ -2,6 +2,7 @@
 #include "bench/compare/run.h"
 
 #include "bench/compare/counts.h"
+#include "bench/compare/mesh_files.h"
 #include "bench/compare/snapshot.h"
 #include "bench/measure/clock.h"
 
@@ -29,8 +30,8 @@ static int make_folder(const char *path, struct error *err)
 }
 
 /* Makes the snapshot unless a whole one is there. */
-static int need_mesh(const struct run_wish *wish, const struct job *job, const char *path,
-                     struct error *err)
+static int need_snapshot(const struct run_wish *wish, const struct job *job, const char *path,
+                         struct error *err)
 {
     struct snapshot snapshot;
     struct mesh mesh;
@@ -41,6 +42,14 @@ static int need_mesh(const struct run_wish *wish, const struct job *job, const c
     int result = snapshot_write(path, &mesh, err);
     mesh_release(&mesh);
     return result;
+}
+
+static int need_mesh(const struct run_wish *wish, const struct job *job, const char *path,
+                     struct error *err)
+{
+    if (need_snapshot(wish, job, path, err) != 0)
+        return -1;
+    return job->what == BENCH_READERS ? mesh_files_write(path, err) : 0;
 }
 
 /* ---- one block ---- */

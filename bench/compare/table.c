@@ -301,13 +301,28 @@ static void write_claims(const struct table *table, const json_t *claims)
     }
 }
 
+static double least_confidence(const json_t *document)
+{
+    double least = 1;
+    size_t i;
+    const json_t *row;
+    json_array_foreach(json_object_get(document, "rows"), i, row)
+    {
+        const json_t *ratio = json_object_get(row, "ratio");
+        if (json_is_object(ratio) && number(ratio, "confidence") < least)
+            least = number(ratio, "confidence");
+    }
+    return least;
+}
+
 static void write_closing(const struct table *table, const json_t *document)
 {
     const json_t *noise = json_object_get(document, "noise");
     double samples = number(noise, "samples");
     fprintf(table->to, "\n%.0f samples, %.1f %% dropped because the core was slowed", samples,
             samples > 0 ? 100 * number(noise, "dropped") / samples : 0.0);
-    fputs("; intervals are those of the sign test\n", table->to);
+    fprintf(table->to, "; intervals are those of the sign test, %.0f %% sure or more\n",
+            100 * least_confidence(document));
     if (table->has_equal)
         fputs(
             "ratio: time over that of the row named, in the same blocks; = the answers are equal\n"

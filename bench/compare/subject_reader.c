@@ -1,0 +1,56 @@
+/* Our readers of mesh files, to be measured; see subjects.h. A call reads the whole file, from the
+ * system's cache, into a mesh that is checked. */
+#include "bench/compare/answers.h"
+#include "bench/compare/mesh_files.h"
+#include "bench/compare/subject.h"
+
+#include "reference/formats/mesh_file.h"
+
+#include <limits.h>
+#include <sys/stat.h>
+
+struct reading {
+    char path[PATH_MAX];
+    struct mesh mesh;
+};
+
+static int run_reading(void *context, struct error *err)
+{
+    struct reading *reading = context;
+    return read_mesh(reading->path, &reading->mesh, err);
+}
+
+static void reset_reading(void *context)
+{
+    mesh_release(&((struct reading *)context)->mesh);
+}
+
+static int answer_reading(void *context, struct worker_answer *answer, struct error *err)
+{
+    const struct reading *reading = context;
+    struct stat status;
+    (void)err;
+    answer_count(answer, reading->mesh.triangle_count);
+    if (stat(reading->path, &status) == 0)
+        worker_fact(answer, "file_bytes", (double)status.st_size);
+    return 0;
+}
+
+int serve_reader(const char *snapshot_path, FILE *in, FILE *out, struct error *err)
+{
+    static struct reading readings[MESH_FILE_COUNT];
+    struct worker_operation operations[MESH_FILE_COUNT];
+    for (int i = 0; i < MESH_FILE_COUNT; i++) {
+        if (mesh_file_path(snapshot_path, mesh_files[i].extension, readings[i].path,
+                           sizeof readings[i].path) != 0)
+            return error_set(err, "%s: too long a name", snapshot_path);
+        operations[i] = (struct worker_operation){.name = mesh_files[i].operation,
+                                                  .context = &readings[i],
+                                                  .run = run_reading,
+                                                  .reset = reset_reading,
+                                                  .answer = answer_reading};
+    }
+    struct worker_subject subject = {
+        .operations = operations, .operation_count = MESH_FILE_COUNT, .thread_count = 1};
+    return worker_serve(&subject, in, out, err);
+}
