@@ -315,7 +315,7 @@ static bool is_edge(const void *self, int32_t u, int32_t v)
 }
 
 const struct representation representation_edge_list = {
-    .order = 70,
+    .order = 60,
     .name = "edge-list",
     .title = "Edge list",
     .documents = "001, 004",

@@ -221,7 +221,7 @@ static bool is_edge(const void *self, int32_t u, int32_t v)
 }
 
 const struct representation representation_extended_edge_list = {
-    .order = 80,
+    .order = 70,
     .name = "extended-edge-list",
     .title = "Extended edge list",
     .documents = "004",

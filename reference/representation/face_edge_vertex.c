@@ -325,7 +325,7 @@ static bool is_edge(const void *self, int32_t u, int32_t v)
 }
 
 const struct representation representation_face_edge_vertex = {
-    .order = 60,
+    .order = 55,
     .name = "face-edge-vertex",
     .title = "Face-edge-vertex lists",
     .documents = "001",

@@ -33,7 +33,7 @@
  * The functions of representation_face_edge_vertex are for lists of triangles, as `build` makes
  * them; with larger faces to_mesh fails, and face_vertices and face_neighbours must not be asked.
  *
- * Bytes: 12 a vertex + 16 an edge + 4 a face and one more + 4 a side; with triangles 44 a triangle
+ * Bytes: 12 a vertex + 16 an edge + 4 a face and one more + 4 a side; with triangles 46 a triangle
  * in a large closed mesh, where E = 3 V and F = 2 V. */
 #ifndef REFERENCE_REPRESENTATION_FACE_EDGE_VERTEX_H
 #define REFERENCE_REPRESENTATION_FACE_EDGE_VERTEX_H

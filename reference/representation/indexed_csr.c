@@ -87,7 +87,7 @@ static int check(const void *self, struct error *err)
     for (int32_t v = 0; v < csr->mesh.vertex_count; v++) {
         int32_t first = csr->starts[v], end = csr->starts[v + 1];
         if ((v == 0 && first != 0) || end < first || end > corner_count)
-            return error_set(err, "vertex %d has entries %d to %d of %lld", v, first, end - 1,
+            return error_set(err, "vertex %d has entries %d up to %d of %lld", v, first, end,
                              (long long)corner_count);
         if (check_row(csr, v, err))
             return -1;

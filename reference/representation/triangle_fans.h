@@ -15,7 +15,8 @@
  * strips less, but strips hold more triangles.
  *
  * Built greedily: from the first triangle left, around whichever of its corners the fan gets
- * largest.
+ * largest. Rings that tile the mesh would take 4/3 entries a triangle; greedily 1.34 (torus)
+ * to 1.71 (icosphere) were measured, strips take 1.00 to 1.12 there.
  *
  * Bytes: 4 + 4 a fan (where it starts) + 12 an entry. */
 #ifndef REFERENCE_REPRESENTATION_TRIANGLE_FANS_H
