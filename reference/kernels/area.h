@@ -23,4 +23,8 @@ int64_t area_avx2(const struct mesh *mesh, void *scratch, void *output);
 int64_t area_avx512(const struct mesh *mesh, void *scratch, void *output);
 #endif
 
+/* On a given number of threads; needs scratch. */
+size_t area_threads_scratch_bytes(int64_t vertex_count, int64_t triangle_count);
+int64_t area_on_threads(const struct mesh *mesh, void *scratch, void *output, int thread_count);
+
 #endif

@@ -36,3 +36,11 @@ int64_t edges_closed_plain(const struct mesh *mesh, void *scratch, void *output)
     }
     return (end - edges) / 2;
 }
+
+int64_t edges_closed_count(const int32_t *triangles, int32_t triangle_count)
+{
+    int64_t count = 0;
+    for (const int32_t *t = triangles; triangle_count > 0; triangle_count--, t += 3)
+        count += (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]);
+    return count;
+}

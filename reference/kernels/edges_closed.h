@@ -24,4 +24,16 @@ int64_t edges_closed_avx2(const struct mesh *mesh, void *scratch, void *output);
 int64_t edges_closed_avx512(const struct mesh *mesh, void *scratch, void *output);
 #endif
 
+/* On a given number of threads; needs scratch. */
+size_t edges_closed_threads_scratch_bytes(int64_t vertex_count, int64_t triangle_count);
+int64_t edges_closed_on_threads(const struct mesh *mesh, void *scratch, void *output,
+                                int thread_count);
+
+/* How many sides of the triangles run upwards. */
+int64_t edges_closed_count(const int32_t *triangles, int32_t triangle_count);
+#if defined(__x86_64__)
+int64_t edges_closed_count_avx2(const int32_t *triangles, int32_t triangle_count);
+int64_t edges_closed_count_avx512(const int32_t *triangles, int32_t triangle_count);
+#endif
+
 #endif

@@ -36,4 +36,27 @@ TARGET_AVX512 int64_t edges_closed_avx512(const struct mesh *mesh, void *scratch
     return (end - (int64_t *)output) + edges_closed_plain(&rest, NULL, end);
 }
 
+/* Compares the corners with those after them: of 48 indices in a row, the last of each triangle
+ * with the one two places before, the others with the one behind. */
+TARGET_AVX512 int64_t edges_closed_count_avx512(const int32_t *triangles, int32_t triangle_count)
+{
+    const uint64_t third_corners = UINT64_C(0x924924924924);
+    const int32_t *t = triangles;
+    int64_t count = 0;
+    int32_t left = triangle_count;
+    for (; left >= 17; left -= 16, t += 48) {
+        uint64_t below_next = 0, above_first = 0;
+        for (int k = 0; k < 48; k += 16) {
+            __m512i corner = _mm512_loadu_si512(t + k), next = _mm512_loadu_si512(t + k + 1);
+            below_next |= (uint64_t)_mm512_cmplt_epi32_mask(corner, next) << k;
+        }
+        for (int k = 2; k < 48; k += 16) {
+            __m512i third = _mm512_loadu_si512(t + k), first = _mm512_loadu_si512(t + k - 2);
+            above_first |= (uint64_t)_mm512_cmplt_epi32_mask(third, first) << k;
+        }
+        count += _mm_popcnt_u64((below_next & ~third_corners) | (above_first & third_corners));
+    }
+    return count + edges_closed_count(t, left);
+}
+
 #endif

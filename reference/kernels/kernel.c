@@ -5,6 +5,7 @@
 #include "reference/kernels/edges_any.h"
 #include "reference/kernels/edges_closed.h"
 #include "reference/kernels/normals.h"
+#include "reference/kernels/threads.h"
 #include "reference/kernels/twins.h"
 #include "reference/kernels/x86.h"
 
@@ -23,48 +24,70 @@ static size_t no_scratch(int64_t vertex_count, int64_t triangle_count)
     return 0;
 }
 
+static int64_t edges_closed_threads(const struct mesh *mesh, void *scratch, void *output)
+{
+    return edges_closed_on_threads(mesh, scratch, output, threads_worth(mesh->triangle_count));
+}
+
+static int64_t area_threads(const struct mesh *mesh, void *scratch, void *output)
+{
+    return area_on_threads(mesh, scratch, output, threads_worth(mesh->triangle_count));
+}
+
+static int64_t face_normals_threads(const struct mesh *mesh, void *scratch, void *output)
+{
+    return face_normals_on_threads(mesh, scratch, output, threads_worth(mesh->triangle_count));
+}
+
 const struct kernel kernel_table[] = {
     {"edges-closed", "plain", "edge", true, always, no_scratch, edges_closed_output_bytes,
-     edges_closed_moved_bytes, edges_closed_plain},
+     edges_closed_moved_bytes, edges_closed_plain, NULL},
 #if defined(__x86_64__)
     {"edges-closed", "avx2", "edge", true, cpu_has_avx2, no_scratch, edges_closed_output_bytes,
-     edges_closed_moved_bytes, edges_closed_avx2},
+     edges_closed_moved_bytes, edges_closed_avx2, NULL},
     {"edges-closed", "avx512", "edge", true, cpu_has_avx512, no_scratch, edges_closed_output_bytes,
-     edges_closed_moved_bytes, edges_closed_avx512},
+     edges_closed_moved_bytes, edges_closed_avx512, NULL},
 #endif
+    {"edges-closed", "threads", "edge", true, always, edges_closed_threads_scratch_bytes,
+     edges_closed_output_bytes, edges_closed_moved_bytes, edges_closed_threads,
+     edges_closed_on_threads},
     {"edges-any", "plain", "edge", false, always, edges_any_scratch_bytes, edges_any_output_bytes,
-     edges_any_moved_bytes, edges_any_plain},
+     edges_any_moved_bytes, edges_any_plain, NULL},
 #if defined(__x86_64__)
     {"edges-any", "avx512", "edge", false, cpu_has_avx512, edges_any_scratch_bytes,
-     edges_any_output_bytes, edges_any_moved_bytes, edges_any_avx512},
+     edges_any_output_bytes, edges_any_moved_bytes, edges_any_avx512, NULL},
 #endif
     {"twins", "plain", "side", false, always, twins_scratch_bytes, twins_output_bytes,
-     twins_moved_bytes, twins_plain},
+     twins_moved_bytes, twins_plain, NULL},
 #if defined(__x86_64__)
     {"twins", "avx512", "side", false, cpu_has_avx512, twins_scratch_bytes, twins_output_bytes,
-     twins_moved_bytes, twins_avx512},
+     twins_moved_bytes, twins_avx512, NULL},
 #endif
     {"area", "plain", "area", false, always, no_scratch, area_output_bytes, area_moved_bytes,
-     area_plain},
+     area_plain, NULL},
 #if defined(__x86_64__)
     {"area", "avx2", "area", false, cpu_has_avx2, no_scratch, area_output_bytes, area_moved_bytes,
-     area_avx2},
+     area_avx2, NULL},
     {"area", "avx512", "area", false, cpu_has_avx512, no_scratch, area_output_bytes,
-     area_moved_bytes, area_avx512},
+     area_moved_bytes, area_avx512, NULL},
 #endif
+    {"area", "threads", "area", false, always, area_threads_scratch_bytes, area_output_bytes,
+     area_moved_bytes, area_threads, area_on_threads},
     {"face-normals", "plain", "normal", false, always, no_scratch, face_normals_output_bytes,
-     face_normals_moved_bytes, face_normals_plain},
+     face_normals_moved_bytes, face_normals_plain, NULL},
 #if defined(__x86_64__)
     {"face-normals", "avx2", "normal", false, cpu_has_avx2, no_scratch, face_normals_output_bytes,
-     face_normals_moved_bytes, face_normals_avx2},
+     face_normals_moved_bytes, face_normals_avx2, NULL},
     {"face-normals", "avx512", "normal", false, cpu_has_avx512, no_scratch,
-     face_normals_output_bytes, face_normals_moved_bytes, face_normals_avx512},
+     face_normals_output_bytes, face_normals_moved_bytes, face_normals_avx512, NULL},
 #endif
+    {"face-normals", "threads", "normal", false, always, no_scratch, face_normals_output_bytes,
+     face_normals_moved_bytes, face_normals_threads, face_normals_on_threads},
     {"vertex-normals", "plain", "normal", false, always, vertex_normals_scratch_bytes,
-     vertex_normals_output_bytes, vertex_normals_moved_bytes, vertex_normals_plain},
+     vertex_normals_output_bytes, vertex_normals_moved_bytes, vertex_normals_plain, NULL},
 #if defined(__x86_64__)
     {"vertex-normals", "avx2", "normal", false, cpu_has_avx2, vertex_normals_scratch_bytes,
-     vertex_normals_output_bytes, vertex_normals_moved_bytes, vertex_normals_avx2},
+     vertex_normals_output_bytes, vertex_normals_moved_bytes, vertex_normals_avx2, NULL},
 #endif
     {0},
 };

@@ -21,6 +21,8 @@ int64_t face_normals_plain(const struct mesh *mesh, void *scratch, void *output)
 int64_t face_normals_avx2(const struct mesh *mesh, void *scratch, void *output);
 int64_t face_normals_avx512(const struct mesh *mesh, void *scratch, void *output);
 #endif
+int64_t face_normals_on_threads(const struct mesh *mesh, void *scratch, void *output,
+                                int thread_count);
 
 size_t vertex_normals_scratch_bytes(int64_t vertex_count, int64_t triangle_count);
 size_t vertex_normals_output_bytes(int64_t vertex_count, int64_t triangle_count);

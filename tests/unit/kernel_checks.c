@@ -35,34 +35,64 @@ void free_guarded(void *output)
     free((char *)output - GUARD_BYTES);
 }
 
-void *run_guarded(const struct kernel *kernel, const struct mesh *mesh, int64_t *record_count)
+/* With thread_count 0, as kernel->run does it. */
+static void *run_between_guards(const struct kernel *kernel, const struct mesh *mesh,
+                                int thread_count, int64_t *record_count)
 {
     size_t scratch_bytes = kernel->scratch_bytes(mesh->vertex_count, mesh->triangle_count);
     size_t output_bytes = kernel->output_bytes(mesh->vertex_count, mesh->triangle_count);
     char *scratch = make_guarded(scratch_bytes), *output = make_guarded(output_bytes);
-    *record_count = kernel->run(mesh, scratch, output);
+    *record_count = thread_count > 0 ? kernel->run_on_threads(mesh, scratch, output, thread_count)
+                                     : kernel->run(mesh, scratch, output);
     assert_guarded(scratch, scratch_bytes);
     assert_guarded(output, output_bytes);
     free_guarded(scratch);
     return output;
 }
 
+void *run_guarded(const struct kernel *kernel, const struct mesh *mesh, int64_t *record_count)
+{
+    return run_between_guards(kernel, mesh, 0, record_count);
+}
+
+void *run_guarded_on_threads(const struct kernel *kernel, const struct mesh *mesh, int thread_count,
+                             int64_t *record_count)
+{
+    return run_between_guards(kernel, mesh, thread_count, record_count);
+}
+
+struct answer {
+    void *records;
+    int64_t count;
+    size_t record_bytes;
+};
+
+static void check_equals(const struct kernel *kernel, const struct mesh *mesh, int thread_count,
+                         const struct answer *right)
+{
+    int64_t count;
+    void *output = run_between_guards(kernel, mesh, thread_count, &count);
+    if (count != right->count ||
+        memcmp(output, right->records, (size_t)count * right->record_bytes) != 0)
+        fail_msg("%s %s (%d) differs from plain: %d vertices, %d triangles, %lld records for %lld",
+                 kernel->name, kernel->variant, thread_count, mesh->vertex_count,
+                 mesh->triangle_count, (long long)count, (long long)right->count);
+    free_guarded(output);
+}
+
 void check_variants_equal(const char *name, const struct mesh *mesh, size_t record_bytes)
 {
-    int64_t right_count;
-    void *right = run_guarded(kernel_find(name, "plain"), mesh, &right_count);
+    static const int thread_counts[] = {1, 2, 3, 7};
+    struct answer right = {.record_bytes = record_bytes};
+    right.records = run_guarded(kernel_find(name, "plain"), mesh, &right.count);
     for (const struct kernel *k = kernel_table; k->name; k++) {
         if (strcmp(k->name, name) != 0 || !k->available())
             continue;
-        int64_t count;
-        void *output = run_guarded(k, mesh, &count);
-        if (count != right_count || memcmp(output, right, (size_t)count * record_bytes) != 0)
-            fail_msg("%s %s differs from plain: %d vertices, %d triangles, %lld records for %lld",
-                     name, k->variant, mesh->vertex_count, mesh->triangle_count, (long long)count,
-                     (long long)right_count);
-        free_guarded(output);
+        check_equals(k, mesh, 0, &right);
+        for (size_t i = 0; k->run_on_threads && i < 4; i++)
+            check_equals(k, mesh, thread_counts[i], &right);
     }
-    free_guarded(right);
+    free_guarded(right.records);
 }
 
 /* The mesh as it is and in worse and worse states; takes the mesh. */

@@ -12,10 +12,14 @@ void with_every_mesh(void (*check)(const struct mesh *mesh));
 /* Runs a kernel on scratch and output of exactly the promised sizes, full of rubbish, and fails the
  * test when a byte before or after them changed. The caller frees the output (free_guarded). */
 void *run_guarded(const struct kernel *kernel, const struct mesh *mesh, int64_t *record_count);
+
+/* The same on a number of threads; for a kernel that has run_on_threads. */
+void *run_guarded_on_threads(const struct kernel *kernel, const struct mesh *mesh, int thread_count,
+                             int64_t *record_count);
 void free_guarded(void *output);
 
-/* Runs all variants of a kernel that this processor has and fails unless each gives the same
- * records_bytes(mesh, record_count) bytes as the plain one. */
+/* Runs all variants of a kernel that this processor has, those on threads with 1, 2, 3 and 7 of
+ * them, and fails unless each gives the same records, of record_bytes each, as the plain one. */
 void check_variants_equal(const char *name, const struct mesh *mesh, size_t record_bytes);
 
 #endif
