@@ -2,6 +2,7 @@
 #include "bench/compare/meshes.h"
 
 #include "reference/formats/mesh_file.h"
+#include "reference/kernels/vertex_cache.h"
 #include "reference/mesh/generate.h"
 #include "reference/mesh/subdivide.h"
 
@@ -148,9 +149,12 @@ int bench_mesh_make(const struct bench_mesh *which, const char *models, struct m
 {
     if (make_kind(which, models, mesh, err) != 0)
         return -1;
-    if (which->order == MESH_SCRAMBLED && change_scramble(mesh, SCRAMBLE_SEED, err) != 0) {
+    int result = 0;
+    if (which->order == MESH_SCRAMBLED)
+        result = change_scramble(mesh, SCRAMBLE_SEED, err);
+    else if (which->order == MESH_CACHE)
+        result = vertex_cache_order(mesh, err);
+    if (result != 0)
         mesh_release(mesh);
-        return -1;
-    }
-    return 0;
+    return result;
 }

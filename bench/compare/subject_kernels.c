@@ -59,6 +59,8 @@ static int answer_call(void *context, struct worker_answer *answer, struct error
     else
         answer_count(answer, call->record_count);
     worker_fact(answer, "records", (double)call->record_count);
+    if (strcmp(name, "stripify") == 0)
+        worker_fact(answer, "indices", (double)call->record_count);
     worker_fact(answer, "limit_bytes",
                 (double)call->kernel->moved_bytes(mesh->vertex_count, mesh->triangle_count,
                                                   call->record_count));

@@ -5,8 +5,10 @@
 #include "reference/kernels/edges_any.h"
 #include "reference/kernels/edges_closed.h"
 #include "reference/kernels/normals.h"
+#include "reference/kernels/stripify.h"
 #include "reference/kernels/threads.h"
 #include "reference/kernels/twins.h"
+#include "reference/kernels/vertex_cache.h"
 #include "reference/kernels/x86.h"
 
 #include <sched.h>
@@ -89,6 +91,16 @@ const struct kernel kernel_table[] = {
     {"vertex-normals", "avx2", "normal", false, cpu_has_avx2, vertex_normals_scratch_bytes,
      vertex_normals_output_bytes, vertex_normals_moved_bytes, vertex_normals_avx2, NULL},
 #endif
+    {"stripify", "plain", "index", false, always, stripify_scratch_bytes, stripify_output_bytes,
+     stripify_moved_bytes, stripify_plain, NULL},
+#if defined(__x86_64__)
+    {"stripify", "avx512", "index", false, cpu_has_avx512, stripify_scratch_bytes,
+     stripify_output_bytes, stripify_moved_bytes, stripify_avx512, NULL},
+#endif
+    {"vertex-cache", "plain", "triangle", false, always, vertex_cache_scratch_bytes,
+     vertex_cache_output_bytes, vertex_cache_moved_bytes, vertex_cache_plain, NULL},
+    {"vertex-fetch", "plain", "vertex", false, always, no_scratch, vertex_fetch_output_bytes,
+     vertex_fetch_moved_bytes, vertex_fetch_plain, NULL},
     {0},
 };
 
