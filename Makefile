@@ -235,6 +235,11 @@ UNIT_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/unit/t
 $(UNIT_TESTS): $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(UNIT_SUPPORT) $(BUILD)/libmeshgrade.a
 	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ -lcmocka $(LDLIBS)
 
+# The answers that the plain kernels are compared with.
+YARDSTICKS := edges/edge-table-any edges/edge-table-closed processing/mesh-area
+$(BUILD)/tests/unit/test_kernels_yardstick: $(YARDSTICKS:%=$(BUILD)/reference/%.o)
+$(YARDSTICKS:%=$(BUILD)/reference/%.o): CFLAGS += $(YARDSTICKS:%=-Iexercises/%)
+
 unit: $(UNIT_TESTS) $(RUNNERS) ## build and run the unit tests
 	@failed=0; for t in $(UNIT_TESTS); do echo "== $$t"; $$t || failed=1; done; exit $$failed
 
