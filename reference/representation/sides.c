@@ -147,8 +147,8 @@ static int edge_error(const struct polygons *polygons, const struct entry *bucke
     }
     if (uses > 2)
         return error_set(err, "edge {%d, %d} is non-manifold: it has %d faces", low, high, uses);
-    return error_set(err, "edge {%d, %d}: faces %d and %d run through it in the same direction", low,
-                     high, first_face, last_face);
+    return error_set(err, "edge {%d, %d}: faces %d and %d run through it in the same direction",
+                     low, high, first_face, last_face);
 }
 
 static int match_buckets(const struct polygons *polygons, const int32_t *end,

@@ -28,9 +28,12 @@ void smoother_fix(struct smoother *smoother, int32_t vertex)
 
 static void add_neighbour(struct smoother *smoother, const float *positions, int64_t v, int64_t of)
 {
+    const float *p = positions + 3 * v;
+    double *sum = smoother->sums + 3 * of;
     smoother->valences[of]++;
-    for (int axis = 0; axis < 3; axis++)
-        smoother->sums[3 * of + axis] += (double)positions[3 * v + axis];
+    sum[0] += (double)p[0];
+    sum[1] += (double)p[1];
+    sum[2] += (double)p[2];
 }
 
 void smoother_add_edge(struct smoother *smoother, const float *positions, int32_t a, int32_t b)

@@ -22,14 +22,12 @@ static void area_vector(const float *positions, const int32_t *corner, double ve
     const float *p = positions + 3 * (int64_t)corner[0];
     const float *q = positions + 3 * (int64_t)corner[1];
     const float *r = positions + 3 * (int64_t)corner[2];
-    double u[3], v[3];
-    for (int axis = 0; axis < 3; axis++) {
-        u[axis] = (double)q[axis] - (double)p[axis];
-        v[axis] = (double)r[axis] - (double)p[axis];
-    }
-    vector[0] = u[1] * v[2] - u[2] * v[1];
-    vector[1] = u[2] * v[0] - u[0] * v[2];
-    vector[2] = u[0] * v[1] - u[1] * v[0];
+    double px = (double)p[0], py = (double)p[1], pz = (double)p[2];
+    double ux = (double)q[0] - px, uy = (double)q[1] - py, uz = (double)q[2] - pz;
+    double vx = (double)r[0] - px, vy = (double)r[1] - py, vz = (double)r[2] - pz;
+    vector[0] = uy * vz - uz * vy;
+    vector[1] = uz * vx - ux * vz;
+    vector[2] = ux * vy - uy * vx;
 }
 
 static double length_of(const double vector[3])
