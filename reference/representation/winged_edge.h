@@ -35,7 +35,8 @@
  * Bytes: 32 an edge, 4 a face, 16 a vertex (12 of them its position); a large closed triangle mesh
  * takes 60 a triangle. Accesses, for k corners of a face or k faces of a vertex: ends, faces and
  * neighbours of an edge 1; corners or neighbours of a face, faces or vertices around a vertex, is
- * it an edge: k. Edits are in winged_edge_edit.h. */
+ * it an edge: k. Document 001's own queries are in winged_edge_queries.h, edits in
+ * winged_edge_edit.h. */
 #ifndef REFERENCE_REPRESENTATION_WINGED_EDGE_H
 #define REFERENCE_REPRESENTATION_WINGED_EDGE_H
 
@@ -66,6 +67,13 @@ struct winged_edge_mesh {
     int32_t vertex_capacity, face_capacity, edge_capacity; /* room in the tables */
 };
 
+/* Called for every row that a step reads from the edge, vertex or face table. Does nothing, but
+ * where a source that counts accesses (bench/compare/counted_winged_edge.c) has defined it before.
+ */
+#ifndef WINGED_EDGE_ACCESS
+#define WINGED_EDGE_ACCESS(row) ((void)(row))
+#endif
+
 /* One way of running an edge. */
 struct winged_side {
     int32_t edge;
@@ -95,19 +103,26 @@ int winged_edge_to_mesh(const struct winged_edge_mesh *we, struct mesh *mesh,
 
 /* -- steps ----------------------------------------------------------------------------------- */
 
+static inline const struct winged_edge *winged_edge_row(const struct winged_edge_mesh *we,
+                                                        int32_t edge)
+{
+    WINGED_EDGE_ACCESS(we->edges + edge);
+    return we->edges + edge;
+}
+
 static inline int32_t winged_edge_start(const struct winged_edge_mesh *we, struct winged_side side)
 {
-    return we->edges[side.edge].vertex[side.way];
+    return winged_edge_row(we, side.edge)->vertex[side.way];
 }
 
 static inline int32_t winged_edge_end(const struct winged_edge_mesh *we, struct winged_side side)
 {
-    return we->edges[side.edge].vertex[1 - side.way];
+    return winged_edge_row(we, side.edge)->vertex[1 - side.way];
 }
 
 static inline int32_t winged_edge_face(const struct winged_edge_mesh *we, struct winged_side side)
 {
-    return we->edges[side.edge].face[side.way];
+    return winged_edge_row(we, side.edge)->face[side.way];
 }
 
 static inline struct winged_side winged_edge_twin(struct winged_side side)
@@ -119,14 +134,14 @@ static inline struct winged_side winged_edge_twin(struct winged_side side)
 static inline struct winged_side winged_edge_leaving(const struct winged_edge_mesh *we,
                                                      int32_t edge, int32_t vertex)
 {
-    return (struct winged_side){edge, we->edges[edge].vertex[0] != vertex};
+    return (struct winged_side){edge, winged_edge_row(we, edge)->vertex[0] != vertex};
 }
 
 /* The side after this one in its face or along its hole. */
 static inline struct winged_side winged_edge_next(const struct winged_edge_mesh *we,
                                                   struct winged_side side)
 {
-    const struct winged_edge *edge = we->edges + side.edge;
+    const struct winged_edge *edge = winged_edge_row(we, side.edge);
     return winged_edge_leaving(we, edge->next[side.way], edge->vertex[1 - side.way]);
 }
 
@@ -134,14 +149,14 @@ static inline struct winged_side winged_edge_next(const struct winged_edge_mesh 
 static inline struct winged_side winged_edge_turn_left(const struct winged_edge_mesh *we,
                                                        struct winged_side side)
 {
-    const struct winged_edge *edge = we->edges + side.edge;
+    const struct winged_edge *edge = winged_edge_row(we, side.edge);
     return winged_edge_leaving(we, edge->previous[side.way], edge->vertex[side.way]);
 }
 
 static inline struct winged_side winged_edge_turn_right(const struct winged_edge_mesh *we,
                                                         struct winged_side side)
 {
-    const struct winged_edge *edge = we->edges + side.edge;
+    const struct winged_edge *edge = winged_edge_row(we, side.edge);
     return winged_edge_leaving(we, edge->next[1 - side.way], edge->vertex[side.way]);
 }
 
@@ -150,13 +165,15 @@ static inline struct winged_side winged_edge_turn_right(const struct winged_edge
 static inline struct winged_side winged_edge_of_face(const struct winged_edge_mesh *we,
                                                      int32_t face)
 {
+    WINGED_EDGE_ACCESS(we->face_edge + face);
     int32_t edge = we->face_edge[face];
-    return (struct winged_side){edge, we->edges[edge].face[0] != face};
+    return (struct winged_side){edge, winged_edge_row(we, edge)->face[0] != face};
 }
 
 static inline struct winged_side winged_edge_of_vertex(const struct winged_edge_mesh *we,
                                                        int32_t vertex)
 {
+    WINGED_EDGE_ACCESS(we->vertex_edge + vertex);
     return winged_edge_leaving(we, we->vertex_edge[vertex], vertex);
 }
 
