@@ -56,12 +56,16 @@ const struct kernel kernel_table[] = {
     {"edges-any", "plain", "edge", false, always, edges_any_scratch_bytes, edges_any_output_bytes,
      edges_any_moved_bytes, edges_any_plain, NULL},
 #if defined(__x86_64__)
+    {"edges-any", "avx2", "edge", false, cpu_has_avx2, edges_any_scratch_bytes,
+     edges_any_output_bytes, edges_any_moved_bytes, edges_any_avx2, NULL},
     {"edges-any", "avx512", "edge", false, cpu_has_avx512, edges_any_scratch_bytes,
      edges_any_output_bytes, edges_any_moved_bytes, edges_any_avx512, NULL},
 #endif
     {"twins", "plain", "side", false, always, twins_scratch_bytes, twins_output_bytes,
      twins_moved_bytes, twins_plain, NULL},
 #if defined(__x86_64__)
+    {"twins", "avx2", "side", false, cpu_has_avx2, twins_scratch_bytes, twins_output_bytes,
+     twins_moved_bytes, twins_avx2, NULL},
     {"twins", "avx512", "side", false, cpu_has_avx512, twins_scratch_bytes, twins_output_bytes,
      twins_moved_bytes, twins_avx512, NULL},
 #endif
