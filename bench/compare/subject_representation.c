@@ -13,9 +13,10 @@
 
 enum {
     QUERIES_MAX = 4096,
-    QUERIES_MIN = 8,
-    QUERIES_COMPARED = 64,  /* whose answers are held against the other representations' */
-    SEARCH_BUDGET = 4000000 /* elements that the searches of one call look at */
+    QUERIES_MIN = 2,
+    QUERIES_COMPARED = 64, /* at most, whose answers are held against other representations' */
+    COMPARED_BUDGET = 1000000,
+    SEARCH_BUDGET = 400000 /* elements that the searches of one call look at */
 };
 
 struct query_sample {
@@ -270,16 +271,23 @@ static int run_question(void *context, struct error *err)
     return 0;
 }
 
+/* The same for every representation of a mesh. */
+static int compared_count(const struct held *held)
+{
+    int64_t fits = COMPARED_BUDGET / ((int64_t)held->snapshot->mesh.triangle_count + 1) + 1;
+    fits = fits < QUERIES_COMPARED ? fits : QUERIES_COMPARED;
+    return (int)(fits < held->sample.count ? fits : held->sample.count);
+}
+
 static int answer_question(void *context, struct worker_answer *answer, struct error *err)
 {
     const struct question *question = context;
     const struct held *held = question->held;
     bool by_face = question->query == QUERY_FACE_NEIGHBOURS; /* faces may be numbered anew */
-    int compared = held->sample.count < QUERIES_COMPARED ? held->sample.count : QUERIES_COMPARED;
     (void)err;
     worker_fact(answer, "queries", query_count(held, question->query));
     if (!held->kind->vertex_names && !by_face)
-        answer_count(answer, ask_many(held, question->query, compared));
+        answer_count(answer, ask_many(held, question->query, compared_count(held)));
     return 0;
 }
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { NUMBER = 24, NAME_WIDTH = 22 };
+enum { NUMBER = 24, NAME_WIDTH = 27 };
 
 struct table {
     FILE *to;
@@ -71,14 +71,13 @@ static void write_machine(const struct table *table, const json_t *document)
             fprintf(table->to, "%s L%d %.0f %s", i ? "," : "", (int)number(item, "level"),
                     kib < 1024 ? kib : kib / 1024, kib < 1024 ? "KiB" : "MiB");
     }
-    fputs("; copies", table->to);
+    fputs("\ncopies", table->to);
     json_array_foreach(json_object_get(machine, "copy"), i, item)
     {
-        fprintf(table->to, "%s %.0f MiB %.1f GB/s (%s)", i ? "," : "",
-                number(item, "bytes") / (1 << 20), number(item, "gigabytes_per_second"),
-                text(item, "method"));
+        fprintf(table->to, "%s %.0f MiB at %.0f GB/s", i ? "," : "",
+                number(item, "bytes") / (1 << 20), number(item, "gigabytes_per_second"));
     }
-    fputs("\n", table->to);
+    fputs(" (the faster of memcpy and stores past the caches)\n", table->to);
 }
 
 static void write_title(const struct table *table, const json_t *document, const json_t *row)
@@ -107,17 +106,17 @@ static void write_title(const struct table *table, const json_t *document, const
 static const struct {
     const char *operation, *head;
 } sweeps[] = {{"bytes", "bytes"}, {"build", "build"},          {"transform", "move"},
-              {"area", "area"},   {"face-normals", "face n."}, {"vertex-normals", "vertex n."},
+              {"area", "area"},   {"face-normals", "face n"},  {"vertex-normals", "vert n"},
               {"edges", "edges"}, {"boundary-loops", "loops"}, {"smooth", "smooth"}},
-  queries[] = {{"faces-around-vertex", "faces of vertex"},
-               {"vertices-around-vertex", "vertices of vertex"},
+  queries[] = {{"faces-around-vertex", "faces around v"},
+               {"vertices-around-vertex", "vertices around v"},
                {"face-neighbours", "face neighbours"},
-               {"is-edge", "is (u,v) an edge"}};
+               {"is-edge", "is (u,v) edge"}};
 enum {
     SWEEPS = sizeof sweeps / sizeof *sweeps,
     QUERIES = sizeof queries / sizeof *queries,
-    SWEEP_WIDTH = 9,
-    QUERY_WIDTH = 20
+    SWEEP_WIDTH = 8,
+    QUERY_WIDTH = 18
 };
 
 /* The row of that subject and operation on the same mesh. */
@@ -319,9 +318,9 @@ static void write_closing(const struct table *table, const json_t *document)
 {
     const json_t *noise = json_object_get(document, "noise");
     double samples = number(noise, "samples");
-    fprintf(table->to, "\n%.0f samples, %.1f %% dropped because the core was slowed", samples,
-            samples > 0 ? 100 * number(noise, "dropped") / samples : 0.0);
-    fprintf(table->to, "; intervals are those of the sign test, %.0f %% sure or more\n",
+    fprintf(table->to, "\n%.0f samples, %.1f %% of them dropped because the core was slowed\n",
+            samples, samples > 0 ? 100 * number(noise, "dropped") / samples : 0.0);
+    fprintf(table->to, "intervals: of the sign test over fresh processes, at least %.0f %% sure\n",
             100 * least_confidence(document));
     if (table->has_equal)
         fputs(

@@ -120,12 +120,23 @@ static void show_progress(void *context, const struct run_progress *progress)
     fflush(stderr);
 }
 
-static int measure_copies(struct copy_bandwidth *copies, bool quick, struct error *err)
+/* Copies of the sizes that the plan's meshes have, and one size more. */
+static int measure_copies(const struct plan *plan, struct copy_bandwidth *copies, int *count,
+                          struct error *err)
 {
     static const int64_t sizes[COPY_SIZES] = {1 << 20, 16 << 20, 64 << 20, 512 << 20};
-    for (int i = 0; i < COPY_SIZES; i++)
-        if (copy_bandwidth_measure(sizes[i], quick ? 3 : 9, &copies[i], err) != 0)
+    enum { BYTES_PER_TRIANGLE = 24, REPETITIONS = 5 };
+    int64_t largest = 0;
+    for (int i = 0; i < plan->job_count; i++)
+        if (plan->jobs[i].mesh.triangles > largest)
+            largest = plan->jobs[i].mesh.triangles;
+    *count = 0;
+    while (*count < COPY_SIZES &&
+           (*count == 0 || sizes[*count - 1] < BYTES_PER_TRIANGLE * largest)) {
+        if (copy_bandwidth_measure(sizes[*count], REPETITIONS, &copies[*count], err) != 0)
             return -1;
+        ++*count;
+    }
     return 0;
 }
 
@@ -176,13 +187,14 @@ static int run_and_publish(const struct settings *settings, const struct plan *p
                             .counts = settings->counts,
                             .progress = isatty(STDERR_FILENO) ? show_progress : NULL,
                             .stop = &stop};
-    if (measure_copies(copies, settings->quick, err) != 0 || run_plan(&wish, journal, err) != 0)
+    int copy_count;
+    if (measure_copies(plan, copies, &copy_count, err) != 0 || run_plan(&wish, journal, err) != 0)
         return -1;
     struct document_facts facts = {.version = meshgrade_version(),
                                    .mode = settings->quick ? "quick" : "full",
                                    .machine = machine,
                                    .copy = copies,
-                                   .copy_count = COPY_SIZES};
+                                   .copy_count = copy_count};
     return publish_results(settings, plan, journal, &facts, err);
 }
 
