@@ -1,6 +1,7 @@
 /* What a bench run measures; see plan.h. */
 #include "bench/compare/plan.h"
 
+#include "bench/compare/sieger_botsch.h"
 #include "reference/kernels/kernel.h"
 #include "reference/representation/representation.h"
 
@@ -147,6 +148,13 @@ static void add_representations(struct job *job, const struct plan_wish *wish)
                      representation_table[i]->name, representation_table[i]->title);
 }
 
+static void add_paper(struct job *job, const struct plan_wish *wish)
+{
+    for (int i = 0; paper_structures[i]; i++)
+        add_ours(job, wish, CONTENDER_REPRESENTATION, "paper", paper_structures[i]->name,
+                 paper_structures[i]->title);
+}
+
 static void add_kernels(struct job *job, const struct plan_wish *wish)
 {
     static const char *const variants[] = {"plain", "avx2", "avx512", "threads"};
@@ -167,6 +175,8 @@ static const char *operations_of(unsigned what)
     if (what == BENCH_KERNELS)
         return " edges-closed edges-any twins area face-normals vertex-normals stripify "
                "vertex-cache ";
+    if (what == BENCH_PAPER)
+        return " circulator barycentre normals smoothing subdivision collapse ";
     return what == BENCH_READERS ? " read-ply-binary read-ply-ascii read-obj read-off " : NULL;
 }
 
@@ -191,6 +201,8 @@ static void fill_job(struct job *job, const struct plan_wish *wish, unsigned wha
     job->only = operations_of(what);
     if (what == BENCH_REPRESENTATIONS)
         add_representations(job, wish);
+    if (what == BENCH_PAPER)
+        add_paper(job, wish);
     if (what == BENCH_KERNELS)
         add_kernels(job, wish);
     if (what == BENCH_READERS)

@@ -321,7 +321,7 @@ static const float *vertex_normals(const void *self)
 
 extern const struct paper_structure paper_indexed_csr;
 const struct paper_structure paper_indexed_csr = {.name = "indexed-csr",
-                                                  .title = "Indexed mesh with rows",
+                                                  .title = "Indexed mesh + CSR",
                                                   .struct_bytes = sizeof(struct held),
                                                   .build = build,
                                                   .release = release,

@@ -11,6 +11,8 @@ int serve_representation(const char *name, const struct snapshot *snapshot, FILE
                          struct error *err) MUST_CHECK;
 int serve_kernels(const char *variant, const struct snapshot *snapshot, FILE *in, FILE *out,
                   struct error *err) MUST_CHECK;
+int serve_paper(const char *name, const struct snapshot *snapshot, FILE *in, FILE *out,
+                struct error *err) MUST_CHECK;
 int serve_reader(const char *snapshot_path, FILE *in, FILE *out, struct error *err) MUST_CHECK;
 
 #endif

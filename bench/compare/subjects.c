@@ -21,6 +21,8 @@ int subject_serve(const char *name, const char *snapshot_path, FILE *in, FILE *o
         result = serve_representation(slash + 1, &snapshot, in, out, err);
     else if (slash && strncmp(name, "kernels", length) == 0)
         result = serve_kernels(slash + 1, &snapshot, in, out, err);
+    else if (slash && strncmp(name, "paper", length) == 0)
+        result = serve_paper(slash + 1, &snapshot, in, out, err);
     else
         result = error_set(err, "there is no subject \"%.60s\"", name);
     snapshot_release(&snapshot);

@@ -1,8 +1,9 @@
 /* What of ours can be measured, as workers (worker.h):
  *
  *     representation/NAME     one of representation_table, with its operations
- *     kernels/VARIANT         all kernels in that variant; VARIANT "fastest": the best on one
- * thread reader                  our readers of mesh files
+ *     paper/NAME              one of paper_structures, with the paper's operations
+ *     kernels/VARIANT         all kernels in that variant; "fastest": the best on one thread
+ *     reader/meshgrade        our readers of mesh files
  */
 #ifndef BENCH_COMPARE_SUBJECTS_H
 #define BENCH_COMPARE_SUBJECTS_H
