@@ -21,19 +21,6 @@ int64_t edges_any_moved_bytes(int64_t vertex_count, int64_t triangle_count, int6
     return 12 * triangle_count + 8 * edge_count;
 }
 
-/* The corners of a triangle in ascending order. */
-struct sorted {
-    int32_t low, middle, high;
-};
-
-static inline struct sorted sort_corners(const int32_t t[3])
-{
-    int32_t less = t[0] < t[1] ? t[0] : t[1], more = t[0] < t[1] ? t[1] : t[0];
-    int32_t rest = less < t[2] ? t[2] : less;
-    return (struct sorted){less < t[2] ? less : t[2], rest < more ? rest : more,
-                           rest < more ? more : rest};
-}
-
 static void fill_rows(const struct mesh *mesh, struct neighbour_rows *rows)
 {
     const int32_t *t = mesh->triangles;
@@ -71,6 +58,6 @@ int64_t edges_any_plain(const struct mesh *mesh, void *scratch, void *output)
 {
     struct neighbour_rows rows = neighbour_rows_begin(scratch, mesh);
     edges_any_fill_rows(mesh, &rows);
-    const int32_t *end = neighbour_rows_put_edges(&rows, output);
+    const int32_t *end = neighbour_rows_put_edges(&rows, 0, mesh->vertex_count, output);
     return (end - (int32_t *)output) / 2;
 }

@@ -24,4 +24,9 @@ int64_t edges_any_avx512(const struct mesh *mesh, void *scratch, void *output);
 struct neighbour_rows;
 void edges_any_fill_rows(const struct mesh *mesh, struct neighbour_rows *rows);
 
+/* On a given number of threads; needs more scratch. */
+size_t edges_any_threads_scratch_bytes(int64_t vertex_count, int64_t triangle_count);
+int64_t edges_any_on_threads(const struct mesh *mesh, void *scratch, void *output,
+                             int thread_count);
+
 #endif

@@ -42,20 +42,27 @@ TARGET_AVX2 static inline int64_t *put_row(const int32_t *place, int count, int3
     return put_pairs(high, new_ones(high, met.times, count - 8, vertex), vertex, end);
 }
 
+TARGET_AVX2 int32_t *neighbour_rows_put_edges_avx2(const struct neighbour_rows *rows, int32_t begin,
+                                                   int32_t stop, int32_t *edges)
+{
+    int64_t *end = (int64_t *)(void *)edges;
+    for (int32_t v = begin; v < stop; v++) {
+        const int32_t *place = rows->places + ROW_PLACES * (size_t)v;
+        int count = rows->counts[v];
+        if (count <= ROW_PLACES)
+            end = put_row(place, count, v, end);
+        else
+            end = (int64_t *)(void *)neighbour_rows_put_overflow(rows, v, (int32_t *)(void *)end);
+    }
+    return (int32_t *)(void *)end;
+}
+
 TARGET_AVX2 int64_t edges_any_avx2(const struct mesh *mesh, void *scratch, void *output)
 {
     struct neighbour_rows rows = neighbour_rows_begin(scratch, mesh);
     edges_any_fill_rows(mesh, &rows);
-    int64_t *end = output;
-    for (int32_t v = 0; v < mesh->vertex_count; v++) {
-        const int32_t *place = rows.places + ROW_PLACES * (size_t)v;
-        int count = rows.counts[v];
-        if (count <= ROW_PLACES)
-            end = put_row(place, count, v, end);
-        else
-            end = (int64_t *)(void *)neighbour_rows_put_overflow(&rows, v, (int32_t *)(void *)end);
-    }
-    return end - (int64_t *)output;
+    const int32_t *end = neighbour_rows_put_edges_avx2(&rows, 0, mesh->vertex_count, output);
+    return (end - (int32_t *)output) / 2;
 }
 
 #endif

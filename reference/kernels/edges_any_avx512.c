@@ -19,11 +19,12 @@ TARGET_AVX512 static inline int64_t *put_pairs(__m256i neighbours, __mmask8 keep
 
 /* vpconflict names for each place the places before it that hold the same. What lies behind the
  * count of a row is left over from before, and comes after all that counts. */
-TARGET_AVX512 static int32_t *put_edges(const struct neighbour_rows *rows, void *edges)
+TARGET_AVX512 int32_t *neighbour_rows_put_edges_avx512(const struct neighbour_rows *rows,
+                                                       int32_t begin, int32_t stop, int32_t *edges)
 {
-    int64_t *end = edges;
-    const int32_t *place = rows->places;
-    for (int32_t v = 0; v < rows->vertex_count; v++, place += ROW_PLACES) {
+    int64_t *end = (int64_t *)(void *)edges;
+    for (int32_t v = begin; v < stop; v++) {
+        const int32_t *place = rows->places + ROW_PLACES * (size_t)v;
         unsigned count = rows->counts[v];
         if (count <= 8) {
             __m256i row = _mm256_load_si256((const __m256i *)place);
@@ -50,7 +51,7 @@ TARGET_AVX512 int64_t edges_any_avx512(const struct mesh *mesh, void *scratch, v
 {
     struct neighbour_rows rows = neighbour_rows_begin(scratch, mesh);
     edges_any_fill_rows(mesh, &rows);
-    const int32_t *end = put_edges(&rows, output);
+    const int32_t *end = neighbour_rows_put_edges_avx512(&rows, 0, mesh->vertex_count, output);
     return (end - (int32_t *)output) / 2;
 }
 

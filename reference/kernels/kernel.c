@@ -41,6 +41,16 @@ static int64_t face_normals_threads(const struct mesh *mesh, void *scratch, void
     return face_normals_on_threads(mesh, scratch, output, threads_worth(mesh->triangle_count));
 }
 
+static int64_t edges_any_threads(const struct mesh *mesh, void *scratch, void *output)
+{
+    return edges_any_on_threads(mesh, scratch, output, threads_worth(mesh->triangle_count));
+}
+
+static int64_t twins_threads(const struct mesh *mesh, void *scratch, void *output)
+{
+    return twins_on_threads(mesh, scratch, output, threads_worth(mesh->triangle_count));
+}
+
 const struct kernel kernel_table[] = {
     {"edges-closed", "plain", "edge", true, always, no_scratch, edges_closed_output_bytes,
      edges_closed_moved_bytes, edges_closed_plain, NULL},
@@ -61,6 +71,8 @@ const struct kernel kernel_table[] = {
     {"edges-any", "avx512", "edge", false, cpu_has_avx512, edges_any_scratch_bytes,
      edges_any_output_bytes, edges_any_moved_bytes, edges_any_avx512, NULL},
 #endif
+    {"edges-any", "threads", "edge", false, always, edges_any_threads_scratch_bytes,
+     edges_any_output_bytes, edges_any_moved_bytes, edges_any_threads, edges_any_on_threads},
     {"twins", "plain", "side", false, always, twins_scratch_bytes, twins_output_bytes,
      twins_moved_bytes, twins_plain, NULL},
 #if defined(__x86_64__)
@@ -69,6 +81,8 @@ const struct kernel kernel_table[] = {
     {"twins", "avx512", "side", false, cpu_has_avx512, twins_scratch_bytes, twins_output_bytes,
      twins_moved_bytes, twins_avx512, NULL},
 #endif
+    {"twins", "threads", "side", false, always, twins_scratch_bytes, twins_output_bytes,
+     twins_moved_bytes, twins_threads, twins_on_threads},
     {"area", "plain", "area", false, always, no_scratch, area_output_bytes, area_moved_bytes,
      area_plain, NULL},
 #if defined(__x86_64__)

@@ -57,9 +57,10 @@ void neighbour_rows_add_to_full(struct neighbour_rows *rows, int32_t vertex, int
         place[(*count)++] = neighbour;
         return;
     }
-    rows->overflow[2 * rows->overflow_count] = vertex;
-    rows->overflow[2 * rows->overflow_count + 1] = neighbour;
-    rows->overflow_count++;
+    /* Threads share the list; what belongs to one vertex comes from one thread and in order. */
+    int64_t k = __atomic_fetch_add(&rows->overflow_count, 1, __ATOMIC_RELAXED);
+    rows->overflow[2 * k] = vertex;
+    rows->overflow[2 * k + 1] = neighbour;
 }
 
 /* A stable counting sort. */
@@ -145,12 +146,13 @@ static int32_t *put_row(const int32_t *place, int count, int32_t vertex, struct 
     return forgot ? put_by_comparing(place, count, vertex, begin) : end;
 }
 
-int32_t *neighbour_rows_put_edges(const struct neighbour_rows *rows, int32_t *edges)
+int32_t *neighbour_rows_put_edges(const struct neighbour_rows *rows, int32_t begin, int32_t end,
+                                  int32_t *edges)
 {
     struct memory memory;
     memset(&memory, -1, sizeof memory);
-    const int32_t *place = rows->places;
-    for (int32_t v = 0; v < rows->vertex_count; v++, place += ROW_PLACES) {
+    for (int32_t v = begin; v < end; v++) {
+        const int32_t *place = rows->places + ROW_PLACES * (size_t)v;
         int count = rows->counts[v];
         edges = count <= ROW_PLACES ? put_row(place, count, v, &memory, edges)
                                     : neighbour_rows_put_overflow(rows, v, edges);

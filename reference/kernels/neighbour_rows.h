@@ -46,26 +46,38 @@ struct neighbour_rows neighbour_rows_begin(void *scratch, const struct mesh *mes
 /* Adds one neighbour, the slow way that copes with full rows. */
 void neighbour_rows_add_to_full(struct neighbour_rows *rows, int32_t vertex, int32_t neighbour);
 
+static inline void neighbour_rows_add_two(struct neighbour_rows *rows, int32_t vertex,
+                                          int32_t first, int32_t second)
+{
+    uint8_t *count = rows->counts + vertex;
+    if (__builtin_expect(*count > ROW_PLACES - 2, 0)) {
+        neighbour_rows_add_to_full(rows, vertex, first);
+        neighbour_rows_add_to_full(rows, vertex, second);
+        return;
+    }
+    const int32_t both[2] = {first, second};
+    memcpy(rows->places + ROW_PLACES * (size_t)vertex + *count, both, sizeof both);
+    *count = (uint8_t)(*count + 2);
+}
+
+static inline void neighbour_rows_add_one(struct neighbour_rows *rows, int32_t vertex,
+                                          int32_t neighbour)
+{
+    uint8_t *count = rows->counts + vertex;
+    if (__builtin_expect(*count > ROW_PLACES - 1, 0)) {
+        neighbour_rows_add_to_full(rows, vertex, neighbour);
+        return;
+    }
+    rows->places[ROW_PLACES * (size_t)vertex + *count] = neighbour;
+    *count = (uint8_t)(*count + 1);
+}
+
 /* Adds a triangle with corners low <= middle <= high. */
 static inline void neighbour_rows_add(struct neighbour_rows *rows, int32_t low, int32_t middle,
                                       int32_t high)
 {
-    uint8_t *count = rows->counts + low;
-    if (__builtin_expect(*count <= ROW_PLACES - 2, 1)) {
-        const int32_t both[2] = {middle, high};
-        memcpy(rows->places + ROW_PLACES * (size_t)low + *count, both, sizeof both);
-        *count = (uint8_t)(*count + 2);
-    } else {
-        neighbour_rows_add_to_full(rows, low, middle);
-        neighbour_rows_add_to_full(rows, low, high);
-    }
-    count = rows->counts + middle;
-    if (__builtin_expect(*count <= ROW_PLACES - 1, 1)) {
-        rows->places[ROW_PLACES * (size_t)middle + *count] = high;
-        *count = (uint8_t)(*count + 1);
-    } else {
-        neighbour_rows_add_to_full(rows, middle, high);
-    }
+    neighbour_rows_add_two(rows, low, middle, high);
+    neighbour_rows_add_one(rows, middle, high);
 }
 
 static inline void neighbour_rows_prefetch(const struct neighbour_rows *rows, int32_t vertex)
@@ -77,9 +89,16 @@ static inline void neighbour_rows_prefetch(const struct neighbour_rows *rows, in
 /* Sorts the overflow by vertex; call it once all triangles are added. */
 void neighbour_rows_sort_overflow(struct neighbour_rows *rows);
 
-/* Writes the edges (vertex, neighbour) of all rows, each once, by vertex and then in the order of
- * coming, in plain C. Returns the end of what it wrote; a row further may be overwritten. */
-int32_t *neighbour_rows_put_edges(const struct neighbour_rows *rows, int32_t *edges);
+/* Writes the edges (vertex, neighbour) of the rows begin ... end - 1, each once, by vertex and then
+ * in the order of coming. Returns the end of what it wrote; a row further may be overwritten. */
+int32_t *neighbour_rows_put_edges(const struct neighbour_rows *rows, int32_t begin, int32_t end,
+                                  int32_t *edges);
+#if defined(__x86_64__)
+int32_t *neighbour_rows_put_edges_avx2(const struct neighbour_rows *rows, int32_t begin,
+                                       int32_t end, int32_t *edges);
+int32_t *neighbour_rows_put_edges_avx512(const struct neighbour_rows *rows, int32_t begin,
+                                         int32_t end, int32_t *edges);
+#endif
 
 /* The same for one row whose count says that it overflows. */
 int32_t *neighbour_rows_put_overflow(const struct neighbour_rows *rows, int32_t vertex,

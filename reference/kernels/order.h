@@ -23,4 +23,17 @@ static inline void prefetch_corners(const float *positions, const int32_t t[3])
         __builtin_prefetch(positions + 3 * (size_t)t[corner]);
 }
 
+/* The corners of a triangle in ascending order. */
+struct sorted {
+    int32_t low, middle, high;
+};
+
+static inline struct sorted sort_corners(const int32_t t[3])
+{
+    int32_t less = t[0] < t[1] ? t[0] : t[1], more = t[0] < t[1] ? t[1] : t[0];
+    int32_t rest = less < t[2] ? t[2] : less;
+    return (struct sorted){less < t[2] ? less : t[2], rest < more ? rest : more,
+                           rest < more ? more : rest};
+}
+
 #endif

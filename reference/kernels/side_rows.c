@@ -34,27 +34,15 @@ void side_rows_add_slowly(struct side_rows *rows, int32_t vertex, uint64_t place
         return;
     }
     *count = SIDE_ROW_PLACES + 1;
-    rows->overflow[rows->overflow_count++] = (struct loose_side){vertex, place};
-}
-
-/* Starts at the smallest corner: the row of that one takes two sides. */
-static inline void add_triangle(struct filling f, const int32_t t[3], uint32_t side)
-{
-    static const uint8_t after[4] = {1, 2, 0, 1};
-    unsigned p = t[1] < t[0];
-    p = t[2] < t[p] ? 2 : p;
-    unsigned q = after[p], r = after[p + 1];
-    int32_t a = t[p], b = t[q], c = t[r];
-    filling_add_two(f, a, side_place(b, side + p), side_place(c, (side + r) | SIDE_BACKWARD));
-    uint32_t backward = b < c ? 0 : SIDE_BACKWARD;
-    filling_add_one(f, b < c ? b : c, side_place(b < c ? c : b, (side + q) | backward));
+    int64_t k = __atomic_fetch_add(&rows->overflow_count, 1, __ATOMIC_RELAXED);
+    rows->overflow[k] = (struct loose_side){vertex, place};
 }
 
 void side_rows_fill_from(struct filling f, const struct mesh *mesh, uint32_t first)
 {
     const int32_t *t = mesh->triangles + 3 * (size_t)first;
     for (uint32_t k = first, stop = (uint32_t)mesh->triangle_count; k < stop; k++, t += 3)
-        add_triangle(f, t, 3 * k);
+        filling_add_triangle(f, t, 3 * k);
 }
 
 /* All but the last AHEAD triangles. Returns how many. */
@@ -64,13 +52,10 @@ static uint32_t fill_with_prefetch(struct filling f, const struct mesh *mesh)
     const int32_t *t = mesh->triangles;
     uint32_t k = 0, stop = (uint32_t)mesh->triangle_count;
     for (; k + AHEAD < stop; k++, t += 3) {
-        const int32_t *next = t + 3 * AHEAD;
-        int32_t less = next[0] < next[1] ? next[0] : next[1];
-        int32_t more = next[0] < next[1] ? next[1] : next[0];
-        int32_t rest = less < next[2] ? next[2] : less;
-        filling_prefetch(f, less < next[2] ? less : next[2]);
-        filling_prefetch(f, rest < more ? rest : more);
-        add_triangle(f, t, 3 * k);
+        struct sorted next = sort_corners(t + 3 * AHEAD);
+        filling_prefetch(f, next.low);
+        filling_prefetch(f, next.middle);
+        filling_add_triangle(f, t, 3 * k);
     }
     return k;
 }

@@ -117,6 +117,35 @@ static inline void filling_prefetch(struct filling f, int32_t vertex)
     __builtin_prefetch(f.storeys + vertex, 1);
 }
 
+/* A triangle turned so that it begins with its smallest corner, a. */
+struct turned {
+    int32_t a, b, c;
+    uint64_t ab, ac, bc; /* the places of its sides: two in the row of a, one in that of b or c */
+};
+
+static inline struct turned turn_triangle(const int32_t t[3], uint32_t side)
+{
+    static const uint8_t after[4] = {1, 2, 0, 1};
+    unsigned p = t[1] < t[0];
+    p = t[2] < t[p] ? 2 : p;
+    unsigned q = after[p], r = after[p + 1];
+    int32_t a = t[p], b = t[q], c = t[r];
+    uint32_t backward = b < c ? 0 : SIDE_BACKWARD;
+    return (struct turned){a,
+                           b,
+                           c,
+                           side_place(b, side + p),
+                           side_place(c, (side + r) | SIDE_BACKWARD),
+                           side_place(b < c ? c : b, (side + q) | backward)};
+}
+
+static inline void filling_add_triangle(struct filling f, const int32_t t[3], uint32_t side)
+{
+    struct turned k = turn_triangle(t, side);
+    filling_add_two(f, k.a, k.ab, k.ac);
+    filling_add_one(f, k.b < k.c ? k.b : k.c, k.bc);
+}
+
 /* Adds the triangles from the given one on. */
 void side_rows_fill_from(struct filling f, const struct mesh *mesh, uint32_t first);
 

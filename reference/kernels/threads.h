@@ -2,6 +2,7 @@
 #ifndef REFERENCE_KERNELS_THREADS_H
 #define REFERENCE_KERNELS_THREADS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* Calls work(job, 0) ... work(job, thread_count - 1), each on a thread of its own (the last one is
@@ -19,5 +20,22 @@ static inline int32_t share_begin(int32_t total, int index, int thread_count)
 /* How many threads the work on so many triangles is worth, at most thread_count. A thread costs
  * some 20 microseconds to start. */
 int threads_worth(int32_t triangle_count);
+
+/* A thread's share of the vertices: what it alone writes. */
+struct owner {
+    uint32_t first, count;
+};
+
+static inline struct owner owner_of_share(int32_t vertex_count, int index, int thread_count)
+{
+    uint32_t first = (uint32_t)share_begin(vertex_count, index, thread_count);
+    uint32_t end = (uint32_t)share_begin(vertex_count, index + 1, thread_count);
+    return (struct owner){first, end - first};
+}
+
+static inline bool owns(struct owner owner, int32_t vertex)
+{
+    return (uint32_t)vertex - owner.first < owner.count;
+}
 
 #endif

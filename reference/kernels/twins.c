@@ -59,22 +59,27 @@ static bool match_quickly(const struct side_rows *rows, int32_t vertex, struct m
     return !odd;
 }
 
-int64_t twins_plain(const struct mesh *mesh, void *scratch, void *output)
+void twins_match(const struct side_rows *rows, int32_t begin, int32_t end, int32_t *twin)
 {
-    struct side_rows rows = side_rows_of(mesh, scratch);
-    struct twin_pairs pairs = {.twin = output};
+    struct twin_pairs pairs = {.twin = twin};
     struct memory memory;
     memset(&memory, -1, sizeof memory);
-    memset(output, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
-    for (int32_t v = 0; v < mesh->vertex_count; v++) {
-        if (rows.counts[v] > SIDE_ROW_PLACES)
+    for (int32_t v = begin; v < end; v++) {
+        if (rows->counts[v] > SIDE_ROW_PLACES)
             continue;
-        if (!match_quickly(&rows, v, &memory, &pairs))
-            side_rows_match_carefully(&rows, v, output);
+        if (!match_quickly(rows, v, &memory, &pairs))
+            side_rows_match_carefully(rows, v, twin);
         if (pairs.count >= TWIN_PAIRS)
             twin_pairs_flush(&pairs);
     }
     twin_pairs_flush(&pairs);
+}
+
+int64_t twins_plain(const struct mesh *mesh, void *scratch, void *output)
+{
+    struct side_rows rows = side_rows_of(mesh, scratch);
+    memset(output, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
+    twins_match(&rows, 0, mesh->vertex_count, output);
     side_rows_match_overflow(&rows, output);
     return 3 * (int64_t)mesh->triangle_count;
 }

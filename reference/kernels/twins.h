@@ -30,4 +30,16 @@ int64_t twins_avx2(const struct mesh *mesh, void *scratch, void *output);
 int64_t twins_avx512(const struct mesh *mesh, void *scratch, void *output);
 #endif
 
+/* On a given number of threads, of the same scratch. */
+int64_t twins_on_threads(const struct mesh *mesh, void *scratch, void *output, int thread_count);
+
+/* The second half of every variant: the twins of the sides in the rows begin ... end - 1, but of
+ * those with an overflow. twin is full of TWIN_NONE. */
+struct side_rows;
+void twins_match(const struct side_rows *rows, int32_t begin, int32_t end, int32_t *twin);
+#if defined(__x86_64__)
+void twins_match_avx2(const struct side_rows *rows, int32_t begin, int32_t end, int32_t *twin);
+void twins_match_avx512(const struct side_rows *rows, int32_t begin, int32_t end, int32_t *twin);
+#endif
+
 #endif

@@ -74,18 +74,24 @@ TARGET_AVX2 static inline bool match_row(const struct side_rows *rows, int32_t v
     return true;
 }
 
-TARGET_AVX2 int64_t twins_avx2(const struct mesh *mesh, void *scratch, void *output)
+TARGET_AVX2 void twins_match_avx2(const struct side_rows *rows, int32_t begin, int32_t end,
+                                  int32_t *twin)
 {
-    struct side_rows rows = side_rows_of(mesh, scratch);
-    struct twin_pairs pairs = {.twin = output};
-    memset(output, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
-    for (int32_t v = 0; v < mesh->vertex_count; v++) {
-        if (!match_row(&rows, v, &pairs))
-            side_rows_match_carefully(&rows, v, output);
+    struct twin_pairs pairs = {.twin = twin};
+    for (int32_t v = begin; v < end; v++) {
+        if (!match_row(rows, v, &pairs))
+            side_rows_match_carefully(rows, v, twin);
         if (pairs.count >= TWIN_PAIRS)
             twin_pairs_flush(&pairs);
     }
     twin_pairs_flush(&pairs);
+}
+
+TARGET_AVX2 int64_t twins_avx2(const struct mesh *mesh, void *scratch, void *output)
+{
+    struct side_rows rows = side_rows_of(mesh, scratch);
+    memset(output, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
+    twins_match_avx2(&rows, 0, mesh->vertex_count, output);
     side_rows_match_overflow(&rows, output);
     return 3 * (int64_t)mesh->triangle_count;
 }

@@ -1,0 +1,80 @@
+/* Twins on threads: each fills the rows of its share of the vertices, reading all triangles, and
+ * matches them; see twins.h. No two rows hold the same side, so no two threads write the same twin.
+ */
+#include "reference/kernels/order.h"
+#include "reference/kernels/side_rows.h"
+#include "reference/kernels/threads.h"
+#include "reference/kernels/twins.h"
+#include "reference/kernels/x86.h"
+
+#include <string.h>
+
+struct job {
+    const struct mesh *mesh;
+    void (*match)(const struct side_rows *rows, int32_t begin, int32_t end, int32_t *twin);
+    struct side_rows rows;
+    int32_t *twin;
+    int thread_count;
+    bool is_scattered;
+};
+
+static void prefetch_owned(struct filling f, struct owner owner, const int32_t *t)
+{
+    struct sorted next = sort_corners(t);
+    if (owns(owner, next.low))
+        filling_prefetch(f, next.low);
+    if (owns(owner, next.middle))
+        filling_prefetch(f, next.middle);
+}
+
+static void fill_share(void *argument, int index)
+{
+    enum { AHEAD = 16 };
+    struct job *job = argument;
+    struct owner owner = owner_of_share(job->mesh->vertex_count, index, job->thread_count);
+    struct filling f = {job->rows.counts, job->rows.storeys, job->rows.vertex_count, &job->rows};
+    uint32_t stop = (uint32_t)job->mesh->triangle_count;
+    const int32_t *t = job->mesh->triangles;
+    for (uint32_t k = 0; k < stop; k++, t += 3) {
+        if (job->is_scattered && stop - k > AHEAD)
+            prefetch_owned(f, owner, t + 3 * AHEAD);
+        struct turned turned = turn_triangle(t, 3 * k);
+        int32_t smaller = turned.b < turned.c ? turned.b : turned.c;
+        if (owns(owner, turned.a))
+            filling_add_two(f, turned.a, turned.ab, turned.ac);
+        if (owns(owner, smaller))
+            filling_add_one(f, smaller, turned.bc);
+    }
+    int32_t begin = share_begin(job->mesh->triangle_count, index, job->thread_count);
+    int32_t end = share_begin(job->mesh->triangle_count, index + 1, job->thread_count);
+    memset(job->twin + 3 * (size_t)begin, TWIN_NONE, 12 * (size_t)(end - begin));
+}
+
+static void match_share(void *argument, int index)
+{
+    struct job *job = argument;
+    job->match(&job->rows, share_begin(job->mesh->vertex_count, index, job->thread_count),
+               share_begin(job->mesh->vertex_count, index + 1, job->thread_count), job->twin);
+}
+
+int64_t twins_on_threads(const struct mesh *mesh, void *scratch, void *output, int thread_count)
+{
+    if (thread_count == 1)
+        return kernel_find("twins", NULL)->run(mesh, scratch, output);
+    struct job job = {.mesh = mesh,
+                      .match = twins_match,
+                      .rows = side_rows_begin(mesh, scratch),
+                      .twin = output,
+                      .thread_count = thread_count,
+                      .is_scattered = mesh_is_scattered(mesh)};
+#if defined(__x86_64__)
+    if (cpu_has_avx512())
+        job.match = twins_match_avx512;
+    else if (cpu_has_avx2())
+        job.match = twins_match_avx2;
+#endif
+    run_on_threads(thread_count, fill_share, &job);
+    run_on_threads(thread_count, match_share, &job);
+    side_rows_match_overflow(&job.rows, output);
+    return 3 * (int64_t)mesh->triangle_count;
+}
