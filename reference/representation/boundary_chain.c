@@ -30,7 +30,8 @@ static int chain_init(struct chain *chain, const int32_t *sides, int64_t side_co
     chain->is_used = calloc((size_t)side_count + 1, 1);
     if (!chain->head || !chain->link || !chain->is_used) {
         chain_release(chain);
-        return error_set(err, "out of memory: chaining %lld boundary edges", (long long)side_count);
+        error_set(err, "out of memory: chaining %lld boundary edges", (long long)side_count);
+        return -1;
     }
     memset(chain->head, 0xff, (size_t)vertex_count * sizeof *chain->head);
     for (int end = 1; end >= 0; end--) /* incoming first: what is put in later stands in front */

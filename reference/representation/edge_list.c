@@ -207,7 +207,7 @@ static int64_t collect_boundary(const struct triangle_edge_list *list, const uin
                              list->ends[2 * (int64_t)edge], list->ends[2 * (int64_t)edge + 1]);
         if (counts[edge] != 1)
             continue;
-        int32_t corners[3];
+        int32_t corners[3] = {0};
         corners_of(list, side / 3, corners);
         sides[2 * count] = corners[side % 3];
         sides[2 * count + 1] = corners[(side + 1) % 3];

@@ -61,7 +61,7 @@ int64_t number_edges(const int32_t *starts, const int32_t *ends, int64_t side_co
 {
     struct sides sides = {starts, ends, vertex_count};
     int32_t *order = calloc((size_t)side_count + 1, sizeof *order);
-    int32_t *by_high = malloc((size_t)side_count * sizeof *by_high + 1);
+    int32_t *by_high = calloc((size_t)side_count + 1, sizeof *by_high);
     int32_t *places = malloc(((size_t)vertex_count + 1) * sizeof *places);
     int64_t edge_count = -1;
     if (order && by_high && places) {

@@ -46,14 +46,16 @@ static int build(void *self, const struct mesh *mesh, struct error *err)
     list->edges.count = (int32_t)edge_count;
     list->edges.vertex_count = mesh->vertex_count;
     list->edges.face_count = mesh->triangle_count;
-    int result = list->positions && list->edges.table
-                     ? fill_edges(list, mesh, err)
-                     : error_set(err, "out of memory: a list of %lld edges", (long long)edge_count);
-    if (result)
+    if (!list->positions || !list->edges.table) {
         release(self);
-    else if (mesh->vertex_count > 0)
+        return error_set(err, "out of memory: a list of %lld edges", (long long)edge_count);
+    }
+    if (mesh->vertex_count > 0)
         memcpy(list->positions, mesh->positions, 12 * (size_t)mesh->vertex_count);
-    return result;
+    if (fill_edges(list, mesh, err) == 0)
+        return 0;
+    release(self);
+    return -1;
 }
 
 static int32_t vertex_count(const void *self)

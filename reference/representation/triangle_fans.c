@@ -121,7 +121,8 @@ static int fanner_init(struct fanner *f, const struct mesh *mesh, struct error *
     if (ok)
         return 0;
     fanner_release(f);
-    return error_set(err, "out of memory: making fans of %d triangles", mesh->triangle_count);
+    error_set(err, "out of memory: making fans of %d triangles", mesh->triangle_count);
+    return -1;
 }
 
 /* -- life ------------------------------------------------------------------------------------- */
