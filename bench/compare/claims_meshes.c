@@ -5,6 +5,7 @@
 #include "reference/mesh/generate.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /* -- real models ---------------------------------------------------------------------------- */
 
@@ -72,7 +73,7 @@ static int about_generated(struct claims *claims, struct error *err)
     } generated[] = {{"grid-128x128", make_grid},
                      {"uv-sphere-10k", make_uv_sphere},
                      {"torus-20k", make_torus},
-                     {"torus-20k-scrambled", make_scrambled_torus}};
+                     {"torus-scrambled", make_scrambled_torus}};
     for (size_t i = 0; i < sizeof generated / sizeof *generated; i++) {
         struct mesh mesh;
         if (generated[i].make(&mesh, err))
@@ -125,6 +126,22 @@ static int about_bipyramid(struct claims *claims, struct error *err)
     return result;
 }
 
+/* Rows of one claim together, in the order in which they came; by insertion, there are few. */
+static void group_by_claim(struct claims *claims)
+{
+    for (int i = 1; i < claims->count; i++) {
+        struct claim row = claims->rows[i];
+        int after = i - 1; /* the last earlier row of the same claim, else the row before */
+        while (after > 0 && strcmp(claims->rows[after].name, row.name) != 0)
+            after--;
+        if (strcmp(claims->rows[after].name, row.name) != 0)
+            after = i - 1;
+        for (int j = i; j > after + 1; j--)
+            claims->rows[j] = claims->rows[j - 1];
+        claims->rows[after + 1] = row;
+    }
+}
+
 int claims_collect(struct claims *claims, const char *models, struct error *err)
 {
     if (about_models(claims, models, err) || about_generated(claims, err))
@@ -132,5 +149,8 @@ int claims_collect(struct claims *claims, const char *models, struct error *err)
     for (int32_t sides = 4; sides <= PRISM_MOST; sides *= 2)
         if (about_prism(claims, sides, err))
             return -1;
-    return about_bipyramid(claims, err);
+    if (about_bipyramid(claims, err))
+        return -1;
+    group_by_claim(claims);
+    return 0;
 }

@@ -3,6 +3,7 @@
 #include "graders/commands/common.h"
 #include "graders/commands/options.h"
 
+#include "bench/compare/claims.h"
 #include "bench/compare/document.h"
 #include "bench/compare/run.h"
 #include "bench/compare/subjects.h"
@@ -173,6 +174,19 @@ static int publish_results(const struct settings *settings, const struct plan *p
     return 0;
 }
 
+/* The claims as JSON; an empty array when they are not asked for. Returns 0, or -1 and *err. */
+static int collect_claims(const struct settings *settings, json_t **json, struct error *err)
+{
+    struct claims claims = {0};
+    if (settings->what & BENCH_CLAIMS && claims_collect(&claims, settings->models, err) != 0) {
+        claims_release(&claims);
+        return -1;
+    }
+    *json = claims_to_json(&claims);
+    claims_release(&claims);
+    return *json ? 0 : error_set(err, "out of memory: claims");
+}
+
 static int run_and_publish(const struct settings *settings, const struct plan *plan,
                            struct journal *journal, const struct machine *machine,
                            struct error *err)
@@ -188,13 +202,16 @@ static int run_and_publish(const struct settings *settings, const struct plan *p
                             .progress = isatty(STDERR_FILENO) ? show_progress : NULL,
                             .stop = &stop};
     int copy_count;
-    if (measure_copies(plan, copies, &copy_count, err) != 0 || run_plan(&wish, journal, err) != 0)
+    json_t *claims;
+    if (measure_copies(plan, copies, &copy_count, err) != 0 || run_plan(&wish, journal, err) != 0 ||
+        collect_claims(settings, &claims, err) != 0)
         return -1;
     struct document_facts facts = {.version = meshgrade_version(),
                                    .mode = settings->quick ? "quick" : "full",
                                    .machine = machine,
                                    .copy = copies,
-                                   .copy_count = copy_count};
+                                   .copy_count = copy_count,
+                                   .claims = claims};
     return publish_results(settings, plan, journal, &facts, err);
 }
 

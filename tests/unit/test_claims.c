@@ -178,6 +178,10 @@ static void all_claims_are_collected(void **state)
     require_claim(&claims, "edges-are-three-times-vertices", "spider", 3, 2100 / 762.0, true);
     require_claim(&claims, "accesses-edges-of-face", "mug", 3, 4, true);
     require_claim(&claims, "accesses-vertices-of-face", "mug", 9, 4, true);
+    for (int i = 2; i < claims.count; i++) /* rows of one claim stand together */
+        for (int j = 0; j < i - 1; j++)
+            assert_true(strcmp(claims.rows[i].name, claims.rows[j].name) != 0 ||
+                        strcmp(claims.rows[i].name, claims.rows[i - 1].name) == 0);
     json_t *json = claims_to_json(&claims);
     assert_int_equal(json_array_size(json), claims.count);
     json_t *first = json_array_get(json, 0);

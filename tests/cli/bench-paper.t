@@ -1,0 +1,30 @@
+#!/bin/bash
+# meshgrade bench paper and claims: every structure gives the same answers, every claim has its row.
+. "$(dirname "$0")/tap.sh"
+out=$scratch/out
+
+"$meshgrade" bench paper claims --mesh bunny-10k-scrambled --blocks 2 -o "$out" >"$scratch/table" 2>"$scratch/talk"
+ok "the paper's operations are measured" [ $? -eq 0 ]
+ok "the table has a title for the mesh" matches "$scratch/table" 'Paper on bunny-10k-scrambled: [0-9,]+ triangles'
+ok "claims are printed against measurements" matches "$scratch/table" 'E is about 3 V +horse +3 +2\.999'
+ok "no line is longer than 100 columns" awk 'length($0) > 100 {exit 1}' "$scratch/table"
+ok "all structures do all operations and agree" python3 - "$out" <<'P'
+import json, sys
+d = json.load(open(sys.argv[1] + "/bench.json"))
+ours = {r["subject"]: set() for r in d["rows"]}
+for r in d["rows"]:
+    assert r["what"] == "paper" and r["error"] is None, r
+    assert r["answer"] != "different", r
+    ours[r["subject"]].add(r["operation"])
+want = {"circulator", "barycentre", "normals", "smoothing", "subdivision", "collapse"}
+assert ours == {"half-edge": want, "winged-edge": want, "indexed-csr": want}, ours
+P
+ok "claims keep the contract" python3 - "$out" <<'P'
+import json, sys
+claims = json.load(open(sys.argv[1] + "/bench.json"))["claims"]
+assert len({c["name"] for c in claims}) >= 14 and len({c["mesh"] for c in claims}) >= 10
+for c in claims:
+    assert set(c) == {"name", "source", "claim", "mesh", "claimed", "measured", "holds"}
+    assert c["claimed"] > 0 and c["measured"] > 0 and isinstance(c["holds"], bool)
+P
+done_testing
