@@ -4,6 +4,9 @@
 # nothing here. Objects go to build/$(config)/, programs also to build/.
 
 config ?= release
+ifeq ($(MAKECMDGOALS),coverage)
+override config := coverage
+endif
 BUILD := build/$(config)
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
@@ -32,6 +35,7 @@ PEER_PACKAGES := g++ libopenmesh-dev libcgal-dev libmeshoptimizer-dev libassimp-
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 FUZZ_PACKAGES := clang libclang-rt-14-dev
 AFL_PACKAGES := afl++
+COVERAGE_PACKAGES := clang llvm libclang-rt-14-dev
 
 PACKAGES := $(CORE_PACKAGES) $(PICTURE_PACKAGES) $(DEMO_PACKAGES)
 ifneq ($(filter test unit stability mutants faults,$(MAKECMDGOALS)),)
@@ -48,6 +52,9 @@ PACKAGES += $(AFL_PACKAGES)
 endif
 ifneq ($(filter peers,$(MAKECMDGOALS)),)
 PACKAGES += $(PEER_PACKAGES)
+endif
+ifneq ($(filter coverage,$(MAKECMDGOALS)),)
+PACKAGES += $(TEST_PACKAGES) $(COVERAGE_PACKAGES)
 endif
 SELF_PREPARING := deps demo test unit validate lint format fuzz stability bench-grader growth pace
 SELF_PREPARING += mutants faults fuzz-afl coverage peers
@@ -78,7 +85,7 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prot
 MODE_release := -O2 -g
 MODE_debug := -O0 -g3
 MODE_asan := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-MODE_coverage := -O0 -g --coverage
+MODE_coverage := -O1 -g -fprofile-instr-generate -fcoverage-mapping -mllvm -runtime-counter-relocation
 MODE := $(MODE_$(config))
 ifeq ($(MODE),)
 $(error config=$(config): choose release, debug, asan or coverage)
@@ -295,6 +302,13 @@ test: $(INJECTOR)
 faults: all $(INJECTOR) ## fail POINTS of the grader's calls of each kind (0: all) and look what comes of it
 	@tests/faults/sweep $(INJECTOR) --points $(POINTS) --full
 
+# ---------------------------------------------------------------- coverage
+# By clang, whose counters survive a killed process; see tests/coverage/run.
+$(if $(filter coverage,$(config)),$(eval $(BUILD)/%: CC := clang))
+.PHONY: coverage
+coverage: build/meshgrade $(UNIT_TESTS) replays $(INJECTOR) $(MUTANT_JUDGE) ## which lines the tests execute, per folder
+	@tests/coverage/run $(BUILD)
+
 # ---------------------------------------------------------------- source checks
 C_FILES = $(shell git ls-files '*.c' '*.h' 2>/dev/null | grep -v '^tests/submissions/')
 CXX_FILES = $(shell git ls-files '*.cpp' '*.hpp' 2>/dev/null)
@@ -316,7 +330,9 @@ format: ## lay out every C and C++ file
 TIME ?= 60
 FUZZ_SUPPORT := $(filter-out tests/fuzz/replay.c $(wildcard tests/fuzz/fuzz_*.c),$(wildcard tests/fuzz/*.c))
 FUZZ_TARGETS := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
-FUZZ_OBJECTS := $(LIBRARY_SOURCES:%.c=%.o) $(FUZZ_SUPPORT:%.c=%.o) $(notdir $(filter %-table.o,$(LIBRARY_OBJECTS)))
+# The grader's part of the library: what is benchmarked reads no foreign bytes.
+FUZZ_SOURCES := $(filter-out reference/representation/% reference/kernels/% bench/compare/%,$(LIBRARY_SOURCES))
+FUZZ_OBJECTS := $(FUZZ_SOURCES:%.c=%.o) $(FUZZ_SUPPORT:%.c=%.o) judge-table.o
 FUZZ_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O1 -g
 FUZZ_CC_fuzz := clang
 FUZZ_CC_afl := afl-clang-fast
@@ -328,7 +344,7 @@ define fuzz_rules
 build/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
 	$$(call SHOW,CC  $$< ($(1)))$(FUZZ_CC_$(1)) $(FUZZ_FLAGS) $(SANITIZE_$(1)) $(COVER_$(1)) $$(DEPENDENCIES) -c $$< -o $$@
-build/$(1)/%-table.o: $(BUILD)/%-table.c
+build/$(1)/judge-table.o: $(BUILD)/judge-table.c
 	@mkdir -p $$(@D)
 	@$(FUZZ_CC_$(1)) $(FUZZ_FLAGS) $(SANITIZE_$(1)) -c $$< -o $$@
 $(FUZZ_TARGETS:%=build/$(1)/%): build/$(1)/%: build/$(1)/tests/fuzz/%.o $(FUZZ_OBJECTS:%=build/$(1)/%)

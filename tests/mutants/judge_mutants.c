@@ -1,10 +1,11 @@
 /* Judges mutants on the real path: built in the box, run case by case, then looked at by the
  * checks, until the first of these rejects.
  *
- *   judge_mutants EXERCISE JOBS <list-of-files
+ *   judge_mutants EXERCISE JOBS [quick] <list-of-files
  *
- * Prints a line a file, in no order: the file, a tab, the verdict, a tab, what decided. Exit code
- * 2: the harness failed (a mutant whose grading failed is a line "fault"). */
+ * With "quick" only the cases are run, and nothing is measured. Prints a line a file, in no order:
+ * the file, a tab, the verdict, a tab, what decided. Exit code 2: the harness failed (a mutant
+ * whose grading failed is a line "fault"). */
 #include "graders/engine/files.h"
 #include "graders/engine/trial.h"
 
@@ -83,7 +84,7 @@ static int judge_one(struct yardstick *yardstick, const struct source *source,
     int result = build_submission(yardstick->exercise, source, 1, &trial.build, err);
     if (result == 0 && !trial.build.refusal.refused) {
         result = run_cases(&trial, finding, err);
-        if (result == 0 && finding->verdict == VERDICT_PASSED)
+        if (result == 0 && finding->verdict == VERDICT_PASSED && !yardstick->quick)
             result = run_checks(&trial, finding, err);
     }
     trial_release(&trial);
@@ -160,8 +161,10 @@ int main(int argc, char **argv)
     struct error err = {""};
     int exercise_count, path_count;
     const char *root = project_root(&err);
-    if (argc != 3 || !root || exercises_read(root, &exercises, &exercise_count, &err) != 0) {
-        fprintf(stderr, "usage: judge_mutants EXERCISE JOBS <list-of-files %s\n", err.text);
+    bool quick = argc == 4 && strcmp(argv[3], "quick") == 0;
+    if ((argc != 3 && !quick) || !root ||
+        exercises_read(root, &exercises, &exercise_count, &err) != 0) {
+        fprintf(stderr, "usage: judge_mutants EXERCISE JOBS [quick] <list-of-files %s\n", err.text);
         return EXIT_FAULT;
     }
     const struct exercise *exercise = exercise_find(exercises, exercise_count, argv[1]);
@@ -169,7 +172,7 @@ int main(int argc, char **argv)
     int code = EXIT_FAULT;
     if (!exercise || !paths)
         fprintf(stderr, "judge_mutants: no exercise %s, or no files\n", argv[1]);
-    else if (yardstick_make(&yardstick, exercise, false, &err) != 0 ||
+    else if (yardstick_make(&yardstick, exercise, quick, &err) != 0 ||
              yardstick_make_cases(&yardstick, false, &err) != 0)
         fprintf(stderr, "judge_mutants: %s\n", err.text);
     else
