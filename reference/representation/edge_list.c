@@ -7,7 +7,6 @@
 #include "reference/representation/smoother.h"
 #include "reference/representation/triangle_sweeps.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -100,10 +99,8 @@ static void corners_of(const struct triangle_edge_list *list, int64_t face, int3
 
 static int check_tables(const struct triangle_edge_list *list, struct error *err)
 {
-    for (int64_t i = 0; i < 3 * (int64_t)list->vertex_count; i++)
-        if (!isfinite(list->positions[i]))
-            return error_set(err, "vertex %lld: its %c is not a finite number", (long long)(i / 3),
-                             "xyz"[i % 3]);
+    if (positions_check(list->positions, list->vertex_count, err))
+        return -1;
     for (int64_t e = 0; e < list->edge_count; e++) {
         int32_t u = list->ends[2 * e], v = list->ends[2 * e + 1];
         if (u < 0 || u >= list->vertex_count || v < 0 || v >= list->vertex_count || u == v)

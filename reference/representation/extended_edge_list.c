@@ -5,7 +5,6 @@
 #include "reference/representation/edge_numbers.h"
 #include "reference/representation/triangle_sweeps.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -114,10 +113,8 @@ static int check_face(const struct extended_edge_list *list, int64_t f, struct e
 static int check(const void *self, struct error *err)
 {
     const struct extended_edge_list *list = self;
-    for (int64_t i = 0; i < 3 * (int64_t)list->edges.vertex_count; i++)
-        if (!isfinite(list->positions[i]))
-            return error_set(err, "vertex %lld: its %c is not a finite number", (long long)(i / 3),
-                             "xyz"[i % 3]);
+    if (positions_check(list->positions, list->edges.vertex_count, err))
+        return -1;
     if (two_sided_edges_check(&list->edges, err))
         return -1;
     int64_t sides = 0;

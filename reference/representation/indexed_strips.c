@@ -7,7 +7,6 @@
 #include "reference/representation/strip_faces.h"
 #include "reference/representation/triangle_sweeps.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,10 +54,8 @@ static int build(void *self, const struct mesh *mesh, struct error *err)
 static int check(const void *self, struct error *err)
 {
     const struct indexed_strips *strips = self;
-    for (int64_t i = 0; i < 3 * (int64_t)strips->vertex_count; i++)
-        if (!isfinite(strips->positions[i]))
-            return error_set(err, "vertex %lld: its %c is not a finite number", (long long)(i / 3),
-                             "xyz"[i % 3]);
+    if (positions_check(strips->positions, strips->vertex_count, err))
+        return -1;
     for (int64_t s = 0; s < strips->strip_count; s++) {
         int64_t first = strips->starts[s], end = strips->starts[s + 1];
         if ((s == 0 && first != 0) || end > strips->index_count || end - first < 3)

@@ -3,6 +3,15 @@
 
 #include <math.h>
 
+int positions_check(const float *positions, int64_t count, struct error *err)
+{
+    for (int64_t i = 0; i < 3 * count; i++)
+        if (!isfinite(positions[i]))
+            return error_set(err, "vertex %lld: its %c is not a finite number", (long long)(i / 3),
+                             "xyz"[i % 3]);
+    return 0;
+}
+
 int64_t positions_transform(float *positions, int64_t count, const float matrix[12])
 {
     for (int64_t v = 0; v < count; v++) {

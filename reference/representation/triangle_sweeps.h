@@ -3,8 +3,14 @@
 #ifndef REFERENCE_REPRESENTATION_TRIANGLE_SWEEPS_H
 #define REFERENCE_REPRESENTATION_TRIANGLE_SWEEPS_H
 
+#include "reference/mesh/error.h"
+
 #include <stdbool.h>
 #include <stdint.h>
+
+/* Checks that every coordinate of `count` positions is finite. Returns 0, or -1 and *err naming the
+ * vertex. */
+int positions_check(const float *positions, int64_t count, struct error *err) MUST_CHECK;
 
 /* p becomes A p + b; matrix holds the rows (A | b). Returns `count`. */
 int64_t positions_transform(float *positions, int64_t count, const float matrix[12]);
