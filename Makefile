@@ -166,6 +166,8 @@ PEER_FLAGS := -std=c++17 -O2 -DNDEBUG -I. -Wall -Wextra -isystem $(firstword $(w
 PEER_VTK := CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersExtraction IOGeometry IOPLY
 PEER_LIBRARIES_openmesh = -lOpenMeshTools -lOpenMeshCore
 PEER_LIBRARIES_cgal = -lgmp -lmpfr
+PEER_LIBRARIES_openmesh-paper = $(PEER_LIBRARIES_openmesh)
+PEER_LIBRARIES_cgal-paper = $(PEER_LIBRARIES_cgal)
 PEER_LIBRARIES_meshoptimizer = -lmeshoptimizer
 PEER_LIBRARIES_assimp = -lassimp
 PEER_LIBRARIES_vtk = $(foreach m,$(PEER_VTK),-lvtk$(m)-$(patsubst vtk-%,%,$(notdir $(firstword $(wildcard /usr/include/vtk-9.*)))))

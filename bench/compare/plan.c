@@ -89,6 +89,8 @@ static const struct {
              {"vtk", "VTK", BENCH_KERNELS | BENCH_READERS},
              {"meshoptimizer", "meshoptimizer", BENCH_KERNELS},
              {"assimp", "assimp", BENCH_READERS},
+             {"openmesh-paper", "OpenMesh", BENCH_PAPER},
+             {"cgal-paper", "CGAL Surface_mesh", BENCH_PAPER},
              {"standard", "C++ standard library", BENCH_KERNELS}};
 enum { PEER_COUNT = sizeof peers / sizeof *peers };
 
