@@ -359,6 +359,21 @@ static void damage_is_found(void **state)
     }
 }
 
+/* A face that goes through vertex 0 twice: every edge starts where the one before ends, all the
+ * same. */
+static void pinched_faces_are_found(void **state)
+{
+    (void)state;
+    float positions[15] = {0};
+    struct two_sided_edge edges[6] = {{0, 1, 0, -1}, {1, 2, 0, -1}, {2, 0, 0, -1},
+                                      {0, 3, 0, -1}, {3, 4, 0, -1}, {4, 0, 0, -1}};
+    int32_t starts[2] = {0, 6}, face_edges[6] = {0, 1, 2, 3, 4, 5};
+    struct face_edge_vertex lists = {positions, {edges, 6, 5, 1}, starts, face_edges, 6};
+    struct error err = {0};
+    assert_int_equal(representation_face_edge_vertex.check(&lists, &err), -1);
+    assert_string_equal(err.text, "face 0 has vertex 0 twice");
+}
+
 static void double_edges_are_found(void **state)
 {
     (void)state;
@@ -379,6 +394,7 @@ int main(void)
         cmocka_unit_test(strips_and_fans_of_a_grid),
         cmocka_unit_test(a_whole_ring_is_one_fan),
         cmocka_unit_test(damage_is_found),
+        cmocka_unit_test(pinched_faces_are_found),
         cmocka_unit_test(double_edges_are_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
