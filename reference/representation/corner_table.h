@@ -29,8 +29,8 @@
  *
  * Bytes: 24 a triangle, 16 a vertex (12 of them its position, 4 vertex_corner, which the paper
  * leaves out); a large closed mesh takes 32 a triangle. Accesses, for a vertex of k triangles:
- * next, previous, triangle none; corners or neighbours of a triangle 3; around a vertex, is it an
- * edge: k. All edges once: a sweep over the corners. */
+ * next, previous, triangle none; corners or neighbours of a triangle 1, three entries side by side;
+ * around a vertex, is it an edge: k. All edges once: a sweep over the corners. */
 #ifndef REFERENCE_REPRESENTATION_CORNER_TABLE_H
 #define REFERENCE_REPRESENTATION_CORNER_TABLE_H
 

@@ -30,7 +30,8 @@
  *
  * Bytes: 24 a triangle, 16 a vertex (12 of them its position); a large closed mesh takes 32 a
  * triangle, 64 a vertex. Accesses, for a vertex of k triangles: next, previous, triangle none;
- * corners or neighbours of a triangle 3; around a vertex, is it an edge: k. */
+ * corners or neighbours of a triangle 1, three entries side by side; around a vertex, is it an
+ * edge: k. */
 #ifndef REFERENCE_REPRESENTATION_DIRECTED_EDGES_H
 #define REFERENCE_REPRESENTATION_DIRECTED_EDGES_H
 
