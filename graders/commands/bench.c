@@ -10,6 +10,7 @@
 #include "bench/compare/table.h"
 #include "graders/engine/files.h"
 #include "graders/engine/score.h"
+#include "graders/report/bench/bench_report.h"
 
 #include <limits.h>
 #include <signal.h>
@@ -22,7 +23,7 @@ enum { QUICK_SECONDS = 50, FULL_MINUTES = 28, COPY_SIZES = 4 };
 struct settings {
     unsigned what;
     bool quick, peers, json, csv, counts, again;
-    const char *output, *mesh, *subject, *blocks, *minutes;
+    const char *output, *mesh, *subject, *blocks, *minutes, *page;
     char folder[PATH_MAX], program[PATH_MAX], peers_folder[PATH_MAX], models[PATH_MAX];
 };
 
@@ -155,6 +156,19 @@ static void print_document(const struct settings *settings, const json_t *docume
     }
 }
 
+/* The page of a folder of results; says where it is. */
+static int write_report(const char *folder, struct error *err)
+{
+    char reason[400];
+    const char *root = project_root(err);
+    if (!root || bench_report(folder, renderer_path(), root, reason, sizeof reason, err) != 0)
+        return -1;
+    fprintf(stderr, "page: %s/index.html\n", folder);
+    if (reason[0])
+        fprintf(stderr, "meshgrade: pictures were not drawn: %s\n", reason);
+    return 0;
+}
+
 /* Writes the files and prints; says where they are. */
 static int publish_results(const struct settings *settings, const struct plan *plan,
                            const struct journal *journal, const struct document_facts *facts,
@@ -171,7 +185,7 @@ static int publish_results(const struct settings *settings, const struct plan *p
             run_is_complete(plan, journal) ? ""
                                            : "; not all blocks are done: the same command goes on");
     json_decref(document);
-    return 0;
+    return write_report(settings->folder, err);
 }
 
 /* The claims as JSON; an empty array when they are not asked for. Returns 0, or -1 and *err. */
@@ -281,6 +295,7 @@ static int run_bench(int argc, char **argv)
         {"mesh", 0, "NAME", "only this mesh, as torus-100k-scrambled", &settings.mesh, NULL},
         {"subject", 0, "TEXT", "only what has TEXT in its name", &settings.subject, NULL},
         {"blocks", 0, "N", "fresh processes of each (6 to 12)", &settings.blocks, NULL},
+        {"page", 0, "DIR", "only write DIR's page again, measure nothing", &settings.page, NULL},
         {"minutes", 0, "N", "begin nothing after that (28)", &settings.minutes, NULL},
         {0}};
     if (argc == 4 && strcmp(argv[1], "--worker") == 0)
@@ -288,6 +303,8 @@ static int run_bench(int argc, char **argv)
     int first = options_parse(&command_bench, rules, argc, argv);
     if (first < 0 || read_what(&settings, argc, argv, first) != 0 || !settings_are_good(&settings))
         return EXIT_USAGE;
+    if (settings.page)
+        return write_report(settings.page, &err) == 0 ? EXIT_PASSED : report_fault(&err);
     struct sigaction action = {.sa_handler = ask_to_stop};
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);

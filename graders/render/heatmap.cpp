@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <sstream>
 
 namespace
 {
@@ -36,10 +37,21 @@ double share_of(const heat_figure &figure, double value)
     return std::log(value / figure.low) / std::log(figure.high / figure.low);
 }
 
+double longest_word(paper &sheet, const std::string &words, const font &style)
+{
+    double longest = 0;
+    std::istringstream in(words);
+    for (std::string word; in >> word;)
+        longest = std::max(longest, sheet.text_width(word, style));
+    return longest;
+}
+
 /* Columns' names stand in at most three lines. */
 void draw_column_name(paper &sheet, const layout &place, size_t c, const std::string &name)
 {
-    const font style = {std::min(12.5, place.text + .5), weight::semibold, palette::ink};
+    font style = {std::min(12.5, place.text + .5), weight::semibold, palette::ink};
+    while (style.size > 8 && longest_word(sheet, name, style) > place.cell_width - 4)
+        style.size -= .5;
     std::vector<std::string> lines = sheet.wrapped(name, style, place.cell_width - 4, 3);
     double y = place.top - 8 - 1.25 * style.size * double(lines.size() - 1);
     for (const std::string &line : lines) {

@@ -11,6 +11,7 @@
 namespace
 {
 const int colour_count = int(std::size(palette::strips));
+const size_t strips_with_ways = 300; /* more ways hide the strips */
 
 /* All strips in one numbering, with the scene's mesh (what the marks name) after them. */
 struct strip_set {
@@ -108,16 +109,17 @@ std::vector<legend_entry> legend_of(const scene &from, const strip_set &set, boo
              sheet.polygon({{at.x - 8, at.y + 6}, {at.x + 8, at.y + 6}, {at.x, at.y - 7}},
                            palette::strips[0]);
          }});
-    entries.push_back(
-        {"order", "",
-         [](paper &sheet, point2 at, double width) {
-             sheet.line({at.x - width / 2 + 3, at.y}, {at.x + 5, at.y}, 2, palette::ink);
-             sheet.disc({at.x - width / 2 + 3, at.y}, 3.6, palette::ink);
-             sheet.polygon(
-                 {{at.x + 4, at.y - 5}, {at.x + 4, at.y + 5}, {at.x + width / 2 + 1, at.y}},
-                 palette::ink);
-         },
-         true});
+    if (from.strips.size() <= strips_with_ways)
+        entries.push_back(
+            {"order", "",
+             [](paper &sheet, point2 at, double width) {
+                 sheet.line({at.x - width / 2 + 3, at.y}, {at.x + 5, at.y}, 2, palette::ink);
+                 sheet.disc({at.x - width / 2 + 3, at.y}, 3.6, palette::ink);
+                 sheet.polygon(
+                     {{at.x + 4, at.y - 5}, {at.x + 4, at.y + 5}, {at.x + width / 2 + 1, at.y}},
+                     palette::ink);
+             },
+             true});
     for (legend_entry &entry : mark_legend(from))
         entries.push_back(entry);
     if (shows_backs)
@@ -150,7 +152,7 @@ image draw_strips(const scene &from, picture_size size)
     double opacity = wire_opacity(spacing * units);
     target.world()->AddActor(
         wire_actor(set.points, set.rungs, 1.1 * target.scale(), palette::wire.with_alpha(opacity)));
-    if (width * units > 7)
+    if (width * units > 7 && from.strips.size() <= strips_with_ways)
         add_ways(target, set, thick, look.toward * (1.5 * thick));
     add_marks(target.world(), set.marked, from.marks, 1.3 * thin, finish::lit);
     add_marks(target.front(), set.marked, from.marks, 1.3 * thin, finish::ghost);
