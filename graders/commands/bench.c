@@ -185,7 +185,9 @@ static int publish_results(const struct settings *settings, const struct plan *p
             run_is_complete(plan, journal) ? ""
                                            : "; not all blocks are done: the same command goes on");
     json_decref(document);
-    return write_report(settings->folder, err);
+    bool is_narrowed =
+        settings->mesh || settings->subject; /* too little for a page; --page makes it */
+    return is_narrowed ? 0 : write_report(settings->folder, err);
 }
 
 /* The claims as JSON; an empty array when they are not asked for. Returns 0, or -1 and *err. */
