@@ -162,7 +162,7 @@ $(BUILD)/bench/measure/machine.o: CFLAGS += -DBUILD_FLAGS='"$(MODE)"'
 
 # Other libraries, each in a worker of its own, built as their users would.
 PEERS := $(filter-out peer,$(patsubst bench/peers/%.cpp,%,$(wildcard bench/peers/*.cpp)))
-PEER_FLAGS := -std=c++17 -O2 -DNDEBUG -I. -Wall -Wextra -isystem $(firstword $(wildcard /usr/include/vtk-9.*) /usr/include)
+PEER_FLAGS := -std=c++17 -O2 -DNDEBUG -I. -Wall -Wextra -Wno-maybe-uninitialized -isystem $(firstword $(wildcard /usr/include/vtk-9.*) /usr/include)
 PEER_VTK := CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersExtraction IOGeometry IOPLY
 PEER_LIBRARIES_openmesh = -lOpenMeshTools -lOpenMeshCore
 PEER_LIBRARIES_cgal = -lgmp -lmpfr

@@ -32,52 +32,50 @@ const char *bench_what_name(unsigned what)
 
 /* ---- meshes ---- */
 
-enum { REPRESENTATIONS_TOO = 1, QUICK = 2, WITH_PEERS = 4, FILES_TOO = 8 };
+enum {
+    REPRESENTATIONS = BENCH_REPRESENTATIONS,
+    KERNELS = BENCH_KERNELS,
+    PAPER = BENCH_PAPER,
+    READERS = BENCH_READERS
+};
 
 /* The meshes of all comparisons, the most telling ones first: when time runs out the others stay
  * undone. */
 static const struct {
     const char *name;
-    unsigned flags;
+    unsigned full, quick; /* comparisons on it */
+    bool with_peers;
 } meshes[] = {
-    {"torus-100k-generated", REPRESENTATIONS_TOO | QUICK | WITH_PEERS},
-    {"torus-100k-scrambled", REPRESENTATIONS_TOO | QUICK | WITH_PEERS},
-    {"bunny-100k-generated", REPRESENTATIONS_TOO | QUICK | WITH_PEERS | FILES_TOO},
-    {"torus-10k-generated", REPRESENTATIONS_TOO | WITH_PEERS},
-    {"torus-10k-scrambled", REPRESENTATIONS_TOO | WITH_PEERS},
-    {"bunny-100k-scrambled", REPRESENTATIONS_TOO | WITH_PEERS},
-    {"torus-100k-cache", REPRESENTATIONS_TOO | WITH_PEERS},
-    {"bipyramid-100k-generated", REPRESENTATIONS_TOO},
-    {"torus-1M-generated", REPRESENTATIONS_TOO | WITH_PEERS},
-    {"torus-1M-scrambled", REPRESENTATIONS_TOO | WITH_PEERS},
-    {"horse-1M-generated", REPRESENTATIONS_TOO | WITH_PEERS | FILES_TOO},
-    {"horse-1M-scrambled", WITH_PEERS},
-    {"grid-100k-generated", REPRESENTATIONS_TOO},
-    {"uv-sphere-100k-generated", REPRESENTATIONS_TOO},
-    {"icosphere-100k-generated", REPRESENTATIONS_TOO},
-    {"icosphere-100k-scrambled", 0},
-    {"disc-100k-generated", 0},
-    {"grid-100k-scrambled", 0},
-    {"uv-sphere-100k-scrambled", 0},
-    {"mug-100k-generated", 0},
-    {"torus-2M-generated", REPRESENTATIONS_TOO | WITH_PEERS},
-    {"torus-2M-scrambled", REPRESENTATIONS_TOO | WITH_PEERS},
-    {"grid-2M-generated", 0},
-    {"torus-1M-cache", 0},
-    {"uv-sphere-1M-scrambled", 0},
-    {"torus-10M-generated", 0},
-    {"torus-10M-scrambled", 0},
+    {"torus-100k-generated", REPRESENTATIONS | KERNELS, KERNELS, true},
+    {"torus-100k-scrambled", REPRESENTATIONS | KERNELS | PAPER, KERNELS, true},
+    {"bunny-100k-generated", REPRESENTATIONS | KERNELS | PAPER | READERS, 0, true},
+    {"bunny-10k-generated", 0, REPRESENTATIONS | PAPER | READERS, true},
+    {"torus-10k-scrambled", REPRESENTATIONS | KERNELS, REPRESENTATIONS, true},
+    {"torus-10k-generated", REPRESENTATIONS | KERNELS, 0, true},
+    {"bunny-100k-scrambled", REPRESENTATIONS | KERNELS, 0, true},
+    {"torus-100k-cache", REPRESENTATIONS | KERNELS, 0, true},
+    {"torus-1M-generated", REPRESENTATIONS | KERNELS, 0, true},
+    {"torus-1M-scrambled", REPRESENTATIONS | KERNELS, 0, true},
+    {"horse-1M-generated", REPRESENTATIONS | KERNELS | PAPER | READERS, 0, true},
+    {"bipyramid-100k-generated", REPRESENTATIONS | KERNELS, 0, false},
+    {"horse-1M-scrambled", KERNELS | PAPER, 0, true},
+    {"grid-100k-generated", REPRESENTATIONS | KERNELS, 0, false},
+    {"uv-sphere-100k-generated", REPRESENTATIONS | KERNELS, 0, false},
+    {"icosphere-100k-generated", REPRESENTATIONS | KERNELS, 0, false},
+    {"icosphere-100k-scrambled", KERNELS, 0, false},
+    {"disc-100k-generated", KERNELS, 0, false},
+    {"grid-100k-scrambled", KERNELS, 0, false},
+    {"uv-sphere-100k-scrambled", KERNELS, 0, false},
+    {"mug-100k-generated", KERNELS, 0, false},
+    {"torus-2M-generated", REPRESENTATIONS | KERNELS, 0, true},
+    {"torus-2M-scrambled", REPRESENTATIONS | KERNELS, 0, true},
+    {"grid-2M-generated", KERNELS, 0, false},
+    {"torus-1M-cache", KERNELS, 0, false},
+    {"uv-sphere-1M-scrambled", KERNELS, 0, false},
+    {"torus-10M-generated", KERNELS, 0, false},
+    {"torus-10M-scrambled", KERNELS, 0, false},
 };
 enum { MESH_COUNT = sizeof meshes / sizeof *meshes };
-
-static bool wants_mesh(const struct plan_wish *wish, unsigned what, unsigned flags)
-{
-    if (wish->quick && !(flags & QUICK))
-        return false;
-    if (what == BENCH_REPRESENTATIONS || what == BENCH_PAPER)
-        return flags & REPRESENTATIONS_TOO;
-    return what == BENCH_KERNELS || (what == BENCH_READERS && flags & FILES_TOO);
-}
 
 /* ---- contenders ---- */
 
@@ -192,7 +190,7 @@ static int blocks_for(const struct plan_wish *wish, int64_t triangles)
 }
 
 static void fill_job(struct job *job, const struct plan_wish *wish, unsigned what,
-                     const struct bench_mesh *mesh, unsigned flags)
+                     const struct bench_mesh *mesh, bool with_peers)
 {
     char mesh_name[48];
     *job = (struct job){.what = what, .mesh = *mesh};
@@ -209,46 +207,48 @@ static void fill_job(struct job *job, const struct plan_wish *wish, unsigned wha
         add_kernels(job, wish);
     if (what == BENCH_READERS)
         add_ours(job, wish, CONTENDER_READER, "reader", "meshgrade", "meshgrade");
-    if (flags & WITH_PEERS || wish->mesh)
+    if (with_peers)
         add_peers(job, wish);
-    bool with_peers = job->contender_count > 0 &&
-                      job->contenders[job->contender_count - 1].kind == CONTENDER_PEER;
+    bool has_peers = job->contender_count > 0 &&
+                     job->contenders[job->contender_count - 1].kind == CONTENDER_PEER;
     snprintf(job->name, sizeof job->name, "%s%s %s%s", wish->quick ? "quick " : "",
-             bench_what_name(what), mesh_name, with_peers ? " with peers" : "");
+             bench_what_name(what), mesh_name, has_peers ? " with peers" : "");
 }
 
 static void add_job(struct plan *plan, const struct plan_wish *wish, unsigned what,
-                    const struct bench_mesh *mesh, unsigned flags)
+                    const struct bench_mesh *mesh, bool with_peers)
 {
     struct job *job = &plan->jobs[plan->job_count];
-    fill_job(job, wish, what, mesh, flags);
+    fill_job(job, wish, what, mesh, with_peers);
     plan->job_count += job->contender_count > 0;
+}
+
+/* The jobs on one mesh. */
+static int add_mesh(struct plan *plan, const struct plan_wish *wish, const char *name,
+                    unsigned wanted, bool with_peers, struct error *err)
+{
+    struct bench_mesh mesh;
+    if (bench_mesh_find(name, &mesh, err) != 0)
+        return -1;
+    for (unsigned what = 1; what < BENCH_CLAIMS; what <<= 1)
+        if (wish->what & wanted & what)
+            add_job(plan, wish, what, &mesh, with_peers);
+    return 0;
 }
 
 int plan_make(struct plan *plan, const struct plan_wish *wish, struct error *err)
 {
-    struct bench_mesh mesh;
-    *plan = (struct plan){.jobs = calloc((MESH_COUNT + 1) * WHAT_COUNT, sizeof *plan->jobs)};
+    *plan = (struct plan){.jobs = calloc((size_t)MESH_COUNT * WHAT_COUNT, sizeof *plan->jobs)};
     if (!plan->jobs)
         return error_set(err, "out of memory: the plan");
-    for (int i = 0; i < MESH_COUNT && !wish->mesh; i++)
-        for (unsigned what = 1; what < BENCH_CLAIMS; what <<= 1) {
-            if (!(wish->what & what) || !wants_mesh(wish, what, meshes[i].flags))
-                continue;
-            if (bench_mesh_find(meshes[i].name, &mesh, err) != 0) {
-                plan_release(plan);
-                return -1;
-            }
-            add_job(plan, wish, what, &mesh, meshes[i].flags);
-        }
-    if (wish->mesh && bench_mesh_find(wish->mesh, &mesh, err) != 0) {
+    int result = wish->mesh ? add_mesh(plan, wish, wish->mesh, BENCH_ALL, true, err) : 0;
+    for (int i = 0; i < MESH_COUNT && result == 0 && !wish->mesh; i++)
+        result =
+            add_mesh(plan, wish, meshes[i].name, wish->quick ? meshes[i].quick : meshes[i].full,
+                     meshes[i].with_peers, err);
+    if (result != 0)
         plan_release(plan);
-        return -1;
-    }
-    for (unsigned what = 1; what < BENCH_CLAIMS && wish->mesh; what <<= 1)
-        if (wish->what & what)
-            add_job(plan, wish, what, &mesh, WITH_PEERS);
-    return 0;
+    return result;
 }
 
 void plan_release(struct plan *plan)

@@ -230,7 +230,7 @@ static void write_line(struct table *table, const json_t *row, const char *opera
     const json_t *bound = json_object_get(row, "limit");
     const char *answer = text(row, "answer");
     bool is_kernel = strcmp(text(row, "kind"), "kernel") == 0;
-    fprintf(table->to, "  %-16s%-21.20s", operation,
+    fprintf(table->to, "  %-16s%-24.23s", operation,
             is_kernel ? text(row, "variant") : text(row, "title"));
     if (json_is_string(json_object_get(row, "error"))) {
         fprintf(table->to, "  %.56s\n", text(row, "error"));
@@ -257,7 +257,7 @@ static void write_list(struct table *table, const json_t *rows, const json_t *fi
 {
     size_t i, k;
     const json_t *row, *other;
-    fprintf(table->to, "  %-37s%8s%22s %-9s%9s%7s\n", "operation", "ns/tri", "ratio [interval]",
+    fprintf(table->to, "  %-40s%8s%22s %-9s%9s%7s\n", "operation", "ns/tri", "ratio [interval]",
             "to", "cold", "limit");
     json_array_foreach(rows, i, row)
     {
@@ -283,6 +283,56 @@ static void write_list(struct table *table, const json_t *rows, const json_t *fi
 
 /* ---- the whole ---- */
 
+/* All rows of one claim: whether it is the same number everywhere, and what was measured. */
+struct claim_summary {
+    double claimed, least, most; /* measured; as parts of what is claimed when that varies */
+    const char *least_mesh, *most_mesh;
+    int count, holding;
+    bool varies;
+};
+
+static struct claim_summary sum_up_claim(const json_t *claims, const char *name)
+{
+    struct claim_summary summary = {.count = 0};
+    size_t i;
+    const json_t *claim;
+    json_array_foreach(claims, i, claim)
+    {
+        if (strcmp(text(claim, "name"), name) != 0)
+            continue;
+        if (summary.count++ == 0)
+            summary.claimed = number(claim, "claimed");
+        summary.varies |= number(claim, "claimed") != summary.claimed;
+        summary.holding += json_is_true(json_object_get(claim, "holds"));
+    }
+    bool is_first = true;
+    json_array_foreach(claims, i, claim)
+    {
+        if (strcmp(text(claim, "name"), name) != 0)
+            continue;
+        double value = number(claim, "measured") / (summary.varies ? number(claim, "claimed") : 1);
+        if (is_first || value < summary.least) {
+            summary.least = value;
+            summary.least_mesh = text(claim, "mesh");
+        }
+        if (is_first || value > summary.most) {
+            summary.most = value;
+            summary.most_mesh = text(claim, "mesh");
+        }
+        is_first = false;
+    }
+    return summary;
+}
+
+static bool is_first_of_its_name(const json_t *claims, size_t at)
+{
+    for (size_t i = 0; i < at; i++)
+        if (strcmp(text(json_array_get(claims, i), "name"),
+                   text(json_array_get(claims, at), "name")) == 0)
+            return false;
+    return true;
+}
+
 static void write_claims(const struct table *table, const json_t *claims)
 {
     size_t i;
@@ -291,12 +341,21 @@ static void write_claims(const struct table *table, const json_t *claims)
         return;
     fprintf(table->to, "\n%sClaims of the course's documents%s\n", table->bold ? "\033[1m" : "",
             table->bold ? "\033[0m" : "");
-    fprintf(table->to, "  %-44s%-18s%10s%10s\n", "claim", "on", "claimed", "measured");
+    fprintf(table->to, "  %-43s%9s %-36s%9s\n", "claim", "claimed", " measured, least and most",
+            "holds on");
     json_array_foreach(claims, i, claim)
     {
-        fprintf(table->to, "%c %-44.43s%-18.17s%10.4g%10.4g\n",
-                json_is_true(json_object_get(claim, "holds")) ? ' ' : '!', text(claim, "claim"),
-                text(claim, "mesh"), number(claim, "claimed"), number(claim, "measured"));
+        char range[96], claimed[NUMBER] = "";
+        if (!is_first_of_its_name(claims, i))
+            continue;
+        struct claim_summary summary = sum_up_claim(claims, text(claim, "name"));
+        if (!summary.varies)
+            snprintf(claimed, sizeof claimed, "%.4g", summary.claimed);
+        snprintf(range, sizeof range, "%.3g %.11s%s%.3g %.11s", summary.least, summary.least_mesh,
+                 summary.varies ? " ... of it " : " ... ", summary.most, summary.most_mesh);
+        fprintf(table->to, "%c %-43.42s%9s  %-35.35s%3d of %d\n",
+                summary.holding == summary.count ? ' ' : '!', text(claim, "claim"),
+                summary.varies ? "it varies" : claimed, range, summary.holding, summary.count);
     }
 }
 
@@ -318,6 +377,8 @@ static void write_closing(const struct table *table, const json_t *document)
 {
     const json_t *noise = json_object_get(document, "noise");
     double samples = number(noise, "samples");
+    if (samples == 0)
+        return;
     fprintf(table->to, "\n%.0f samples, %.1f %% of them dropped because the core was slowed\n",
             samples, samples > 0 ? 100 * number(noise, "dropped") / samples : 0.0);
     fprintf(table->to, "intervals: of the sign test over fresh processes, at least %.0f %% sure\n",

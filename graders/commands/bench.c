@@ -103,6 +103,17 @@ static void make_fingerprint(const struct plan *plan, const struct machine *mach
              machine->kernel);
 }
 
+/* Says so when --peers finds none. */
+static void look_for_peers(const struct settings *settings, const struct plan *plan)
+{
+    for (int i = 0; i < plan->job_count; i++)
+        for (int k = 0; k < plan->jobs[i].contender_count; k++)
+            if (plan->jobs[i].contenders[k].kind == CONTENDER_PEER)
+                return;
+    if (settings->peers)
+        fprintf(stderr, "meshgrade: no other library takes part: build them with make peers\n");
+}
+
 /* ---- the run ---- */
 
 static void show_progress(void *context, const struct run_progress *progress)
@@ -248,6 +259,7 @@ static int bench(const struct settings *settings, struct error *err)
     machine_describe(&machine);
     if (plan_make(&plan, &wish, err) != 0)
         return -1;
+    look_for_peers(settings, &plan);
     make_fingerprint(&plan, &machine, settings, fingerprint, sizeof fingerprint);
     int result = journal_open(&journal, settings->folder, fingerprint, err);
     if (result == 0) {
