@@ -20,9 +20,11 @@ int64_t edges_any_avx2(const struct mesh *mesh, void *scratch, void *output);
 int64_t edges_any_avx512(const struct mesh *mesh, void *scratch, void *output);
 #endif
 
-/* The first half of every variant: the rows of all triangles, overflow sorted. */
+/* What every variant does, given how it puts the edges of rows (neighbour_rows.h). */
 struct neighbour_rows;
-void edges_any_fill_rows(const struct mesh *mesh, struct neighbour_rows *rows);
+int64_t edges_any_by(int32_t *(*put)(const struct neighbour_rows *rows, int32_t begin, int32_t end,
+                                     int32_t *edges),
+                     const struct mesh *mesh, void *scratch, void *output);
 
 /* On a given number of threads; needs more scratch. */
 size_t edges_any_threads_scratch_bytes(int64_t vertex_count, int64_t triangle_count);

@@ -47,8 +47,8 @@ TARGET_AVX2 int32_t *neighbour_rows_put_edges_avx2(const struct neighbour_rows *
 {
     int64_t *end = (int64_t *)(void *)edges;
     for (int32_t v = begin; v < stop; v++) {
-        const int32_t *place = rows->places + ROW_PLACES * (size_t)v;
-        int count = rows->counts[v];
+        const int32_t *place = neighbour_row(rows, v);
+        int count = *neighbour_row_count(rows, v);
         if (count <= ROW_PLACES)
             end = put_row(place, count, v, end);
         else
@@ -57,12 +57,9 @@ TARGET_AVX2 int32_t *neighbour_rows_put_edges_avx2(const struct neighbour_rows *
     return (int32_t *)(void *)end;
 }
 
-TARGET_AVX2 int64_t edges_any_avx2(const struct mesh *mesh, void *scratch, void *output)
+int64_t edges_any_avx2(const struct mesh *mesh, void *scratch, void *output)
 {
-    struct neighbour_rows rows = neighbour_rows_begin(scratch, mesh);
-    edges_any_fill_rows(mesh, &rows);
-    const int32_t *end = neighbour_rows_put_edges_avx2(&rows, 0, mesh->vertex_count, output);
-    return (end - (int32_t *)output) / 2;
+    return edges_any_by(neighbour_rows_put_edges_avx2, mesh, scratch, output);
 }
 
 #endif

@@ -24,8 +24,8 @@ TARGET_AVX512 int32_t *neighbour_rows_put_edges_avx512(const struct neighbour_ro
 {
     int64_t *end = (int64_t *)(void *)edges;
     for (int32_t v = begin; v < stop; v++) {
-        const int32_t *place = rows->places + ROW_PLACES * (size_t)v;
-        unsigned count = rows->counts[v];
+        const int32_t *place = neighbour_row(rows, v);
+        unsigned count = *neighbour_row_count(rows, v);
         if (count <= 8) {
             __m256i row = _mm256_load_si256((const __m256i *)place);
             __mmask8 first =
@@ -47,12 +47,9 @@ TARGET_AVX512 int32_t *neighbour_rows_put_edges_avx512(const struct neighbour_ro
     return (int32_t *)(void *)end;
 }
 
-TARGET_AVX512 int64_t edges_any_avx512(const struct mesh *mesh, void *scratch, void *output)
+int64_t edges_any_avx512(const struct mesh *mesh, void *scratch, void *output)
 {
-    struct neighbour_rows rows = neighbour_rows_begin(scratch, mesh);
-    edges_any_fill_rows(mesh, &rows);
-    const int32_t *end = neighbour_rows_put_edges_avx512(&rows, 0, mesh->vertex_count, output);
-    return (end - (int32_t *)output) / 2;
+    return edges_any_by(neighbour_rows_put_edges_avx512, mesh, scratch, output);
 }
 
 #endif

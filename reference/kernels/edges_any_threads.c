@@ -38,20 +38,32 @@ static void prefetch_owned(const struct neighbour_rows *rows, struct owner owner
         neighbour_rows_prefetch(rows, next.middle);
 }
 
-static void fill_share(void *argument, int index)
+static void fill_from_block(const struct job *job, struct neighbour_rows *rows, struct owner owner,
+                            int32_t first, int32_t end)
 {
     enum { AHEAD = 16 };
-    struct job *job = argument;
-    struct owner owner = owner_of_share(job->mesh->vertex_count, index, job->thread_count);
-    const int32_t *t = job->mesh->triangles;
-    for (int32_t left = job->mesh->triangle_count; left > 0; left--, t += 3) {
-        if (job->is_scattered && left > AHEAD)
-            prefetch_owned(&job->rows, owner, t + 3 * AHEAD);
+    const int32_t *t = job->mesh->triangles + 3 * (size_t)first;
+    for (int32_t k = first; k < end; k++, t += 3) {
+        if (job->is_scattered && job->mesh->triangle_count - k > AHEAD)
+            prefetch_owned(rows, owner, t + 3 * AHEAD);
         struct sorted s = sort_corners(t);
         if (owns(owner, s.low))
-            neighbour_rows_add_two(&job->rows, s.low, s.middle, s.high);
+            neighbour_rows_add_two(rows, s.low, s.middle, s.high);
         if (owns(owner, s.middle))
-            neighbour_rows_add_one(&job->rows, s.middle, s.high);
+            neighbour_rows_add_one(rows, s.middle, s.high);
+    }
+}
+
+static void fill_share(void *argument, int index)
+{
+    struct job *job = argument;
+    struct owner owner = owner_of_share(job->mesh->vertex_count, index, job->thread_count);
+    int32_t stop = job->mesh->triangle_count;
+    for (int32_t k = 0; k < stop; k += BLOCK_TRIANGLES) {
+        int32_t end = stop - k < BLOCK_TRIANGLES ? stop : k + BLOCK_TRIANGLES;
+        if (job->is_scattered ||
+            !owns_none_between(owner, job->mesh->triangles + 3 * (size_t)k, end - k))
+            fill_from_block(job, &job->rows, owner, k, end);
     }
 }
 

@@ -24,9 +24,17 @@ struct neighbour_rows neighbour_rows_begin(void *scratch, const struct mesh *mes
     rows.sorted_end = (int32_t *)(at += padded(24 * t));
     rows.met_by = (int32_t *)(at += padded(4 * v));
     rows.sorted = (int32_t *)(at + padded(4 * v));
-    if (v > 0)
-        memset(rows.counts, 0, v);
+    neighbour_rows_restart(&rows, 0, mesh->vertex_count);
     return rows;
+}
+
+void neighbour_rows_restart(struct neighbour_rows *rows, int32_t first_vertex, int32_t row_count)
+{
+    rows->first_vertex = first_vertex;
+    rows->row_count = row_count;
+    rows->overflow_count = 0;
+    if (row_count > 0)
+        memset(rows->counts, 0, (size_t)row_count);
 }
 
 /* Keeps the first of equal neighbours; returns how many stay. */
@@ -46,8 +54,8 @@ static int drop_repeated(int32_t *place)
 
 void neighbour_rows_add_to_full(struct neighbour_rows *rows, int32_t vertex, int32_t neighbour)
 {
-    uint8_t *count = rows->counts + vertex;
-    int32_t *place = rows->places + ROW_PLACES * (size_t)vertex;
+    uint8_t *count = neighbour_row_count(rows, vertex);
+    int32_t *place = neighbour_row(rows, vertex);
     if (*count == ROW_PLACES) {
         *count = (uint8_t)drop_repeated(place);
         if (*count == ROW_PLACES)
@@ -68,20 +76,22 @@ void neighbour_rows_sort_overflow(struct neighbour_rows *rows)
 {
     if (rows->overflow_count == 0)
         return;
-    size_t vertex_bytes = 4 * (size_t)rows->vertex_count;
-    memset(rows->sorted_end, 0, vertex_bytes);
-    memset(rows->met_by, -1, vertex_bytes);
+    if (!rows->met_by_is_clear)
+        memset(rows->met_by, -1, 4 * (size_t)rows->vertex_count);
+    rows->met_by_is_clear = true;
+    int32_t *end = rows->sorted_end;
+    memset(end, 0, 4 * (size_t)rows->row_count);
     const int32_t *stop = rows->overflow + 2 * rows->overflow_count;
     for (const int32_t *pair = rows->overflow; pair < stop; pair += 2)
-        rows->sorted_end[pair[0]]++;
+        end[pair[0] - rows->first_vertex]++;
     int32_t total = 0;
-    for (int32_t v = 0; v < rows->vertex_count; v++) {
-        int32_t count = rows->sorted_end[v];
-        rows->sorted_end[v] = total;
+    for (int32_t row = 0; row < rows->row_count; row++) {
+        int32_t count = end[row];
+        end[row] = total;
         total += count;
     }
     for (const int32_t *pair = rows->overflow; pair < stop; pair += 2)
-        rows->sorted[rows->sorted_end[pair[0]]++] = pair[1];
+        rows->sorted[end[pair[0] - rows->first_vertex]++] = pair[1];
 }
 
 /* Compares each place with all before it. */
@@ -102,12 +112,12 @@ static int32_t *put_by_comparing(const int32_t *place, int count, int32_t vertex
 int32_t *neighbour_rows_put_overflow(const struct neighbour_rows *rows, int32_t vertex,
                                      int32_t *end)
 {
-    const int32_t *place = rows->places + ROW_PLACES * (size_t)vertex;
+    const int32_t *place = neighbour_row(rows, vertex);
     for (int k = 0; k < ROW_PLACES; k++)
         rows->met_by[place[k]] = vertex;
     end = put_by_comparing(place, ROW_PLACES, vertex, end);
-    int32_t begin = vertex > 0 ? rows->sorted_end[vertex - 1] : 0;
-    for (int32_t k = begin; k < rows->sorted_end[vertex]; k++) {
+    int32_t row = vertex - rows->first_vertex;
+    for (int32_t k = row > 0 ? rows->sorted_end[row - 1] : 0; k < rows->sorted_end[row]; k++) {
         int32_t neighbour = rows->sorted[k];
         if (neighbour != vertex && rows->met_by[neighbour] != vertex) {
             *end++ = vertex;
@@ -152,8 +162,8 @@ int32_t *neighbour_rows_put_edges(const struct neighbour_rows *rows, int32_t beg
     struct memory memory;
     memset(&memory, -1, sizeof memory);
     for (int32_t v = begin; v < end; v++) {
-        const int32_t *place = rows->places + ROW_PLACES * (size_t)v;
-        int count = rows->counts[v];
+        const int32_t *place = neighbour_row(rows, v);
+        int count = *neighbour_row_count(rows, v);
         edges = count <= ROW_PLACES ? put_row(place, count, v, &memory, edges)
                                     : neighbour_rows_put_overflow(rows, v, edges);
     }

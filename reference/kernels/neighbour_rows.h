@@ -33,15 +33,31 @@ struct neighbour_rows {
     int64_t overflow_count;
     int32_t *sorted_end; /* once sorted: where the neighbours of a vertex end in sorted */
     int32_t *sorted;     /* the neighbours in the overflow, by vertex */
-    int32_t *met_by;     /* for each vertex, the last row that listed it */
-    int32_t vertex_count;
+    int32_t *met_by;     /* for each vertex of the mesh, the last row that listed it */
+    bool met_by_is_clear;
+    int32_t first_vertex; /* rows are those of first_vertex and the row_count - 1 after it */
+    int32_t row_count;
+    int32_t vertex_count; /* of the mesh */
 };
+
+static inline uint8_t *neighbour_row_count(const struct neighbour_rows *rows, int32_t vertex)
+{
+    return rows->counts + (vertex - rows->first_vertex);
+}
+
+static inline int32_t *neighbour_row(const struct neighbour_rows *rows, int32_t vertex)
+{
+    return rows->places + ROW_PLACES * (size_t)(vertex - rows->first_vertex);
+}
 
 /* Bytes of scratch; of these only 65 a vertex are touched when no row overflows. */
 size_t neighbour_rows_bytes(int64_t vertex_count, int64_t triangle_count);
 
-/* Lays empty rows out in scratch. */
+/* Lays empty rows for all vertices out in scratch. */
 struct neighbour_rows neighbour_rows_begin(void *scratch, const struct mesh *mesh);
+
+/* Makes them the empty rows of some vertices only. */
+void neighbour_rows_restart(struct neighbour_rows *rows, int32_t first_vertex, int32_t row_count);
 
 /* Adds one neighbour, the slow way that copes with full rows. */
 void neighbour_rows_add_to_full(struct neighbour_rows *rows, int32_t vertex, int32_t neighbour);
@@ -49,26 +65,26 @@ void neighbour_rows_add_to_full(struct neighbour_rows *rows, int32_t vertex, int
 static inline void neighbour_rows_add_two(struct neighbour_rows *rows, int32_t vertex,
                                           int32_t first, int32_t second)
 {
-    uint8_t *count = rows->counts + vertex;
+    uint8_t *count = neighbour_row_count(rows, vertex);
     if (__builtin_expect(*count > ROW_PLACES - 2, 0)) {
         neighbour_rows_add_to_full(rows, vertex, first);
         neighbour_rows_add_to_full(rows, vertex, second);
         return;
     }
     const int32_t both[2] = {first, second};
-    memcpy(rows->places + ROW_PLACES * (size_t)vertex + *count, both, sizeof both);
+    memcpy(neighbour_row(rows, vertex) + *count, both, sizeof both);
     *count = (uint8_t)(*count + 2);
 }
 
 static inline void neighbour_rows_add_one(struct neighbour_rows *rows, int32_t vertex,
                                           int32_t neighbour)
 {
-    uint8_t *count = rows->counts + vertex;
+    uint8_t *count = neighbour_row_count(rows, vertex);
     if (__builtin_expect(*count > ROW_PLACES - 1, 0)) {
         neighbour_rows_add_to_full(rows, vertex, neighbour);
         return;
     }
-    rows->places[ROW_PLACES * (size_t)vertex + *count] = neighbour;
+    neighbour_row(rows, vertex)[*count] = neighbour;
     *count = (uint8_t)(*count + 1);
 }
 
@@ -82,8 +98,8 @@ static inline void neighbour_rows_add(struct neighbour_rows *rows, int32_t low, 
 
 static inline void neighbour_rows_prefetch(const struct neighbour_rows *rows, int32_t vertex)
 {
-    __builtin_prefetch(rows->counts + vertex, 1);
-    __builtin_prefetch(rows->places + ROW_PLACES * (size_t)vertex, 1);
+    __builtin_prefetch(neighbour_row_count(rows, vertex), 1);
+    __builtin_prefetch(neighbour_row(rows, vertex), 1);
 }
 
 /* Sorts the overflow by vertex; call it once all triangles are added. */

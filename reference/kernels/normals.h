@@ -35,6 +35,18 @@ int64_t vertex_normals_plain(const struct mesh *mesh, void *scratch, void *outpu
 int64_t vertex_normals_avx2(const struct mesh *mesh, void *scratch, void *output);
 #endif
 
+/* (b - a) x (c - a) in binary32. */
+static inline void triangle_cross(const float *positions, const int32_t t[3], float cross[3])
+{
+    const float *a = positions + 3 * (size_t)t[0], *b = positions + 3 * (size_t)t[1];
+    const float *c = positions + 3 * (size_t)t[2];
+    float ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
+    float vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
+    cross[0] = uy * vz - uz * vy;
+    cross[1] = uz * vx - ux * vz;
+    cross[2] = ux * vy - uy * vx;
+}
+
 /* The normal of one vertex, of its sum. */
 void vertex_normal_write(const float sum[3], float normal[3]);
 

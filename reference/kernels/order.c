@@ -27,3 +27,9 @@ bool mesh_is_scattered(const struct mesh *mesh)
     }
     return near_count < SAMPLES / 2;
 }
+
+bool mesh_is_worth_parting(const struct mesh *mesh)
+{
+    enum { LARGE = 1 << 17 };
+    return mesh->vertex_count >= LARGE && mesh_is_scattered(mesh);
+}

@@ -13,6 +13,11 @@
  * that kernels do well to prefetch. It is only about speed: no output depends on it. */
 bool mesh_is_scattered(const struct mesh *mesh);
 
+/* Whether the mesh is scattered and so large that rows of a cache line a vertex outgrow even the
+ * caches behind the core's own: sorting by ranges of vertices first then costs less than missing.
+ */
+bool mesh_is_worth_parting(const struct mesh *mesh);
+
 /* How many triangles before its turn a triangle's corners are asked for in a scattered mesh. */
 enum { CORNERS_AHEAD = 16 };
 

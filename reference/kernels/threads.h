@@ -38,4 +38,19 @@ static inline bool owns(struct owner owner, int32_t vertex)
     return (uint32_t)vertex - owner.first < owner.count;
 }
 
+/* Triangles that a thread looks over together. */
+enum { BLOCK_TRIANGLES = 16 };
+
+/* Whether none of the vertices from the least to the greatest of a block's is owned: so a thread
+ * skips most of what others own, where the order of the triangles follows that of the vertices. */
+static inline bool owns_none_between(struct owner owner, const int32_t *t, int32_t triangle_count)
+{
+    int32_t least = t[0], greatest = t[0];
+    for (int32_t k = 1; k < 3 * triangle_count; k++) {
+        least = t[k] < least ? t[k] : least;
+        greatest = t[k] > greatest ? t[k] : greatest;
+    }
+    return (uint32_t)greatest < owner.first || (uint32_t)least >= owner.first + owner.count;
+}
+
 #endif

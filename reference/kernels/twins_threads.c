@@ -27,16 +27,13 @@ static void prefetch_owned(struct filling f, struct owner owner, const int32_t *
         filling_prefetch(f, next.middle);
 }
 
-static void fill_share(void *argument, int index)
+static void fill_from_block(const struct job *job, struct filling f, struct owner owner,
+                            uint32_t first, uint32_t end)
 {
     enum { AHEAD = 16 };
-    struct job *job = argument;
-    struct owner owner = owner_of_share(job->mesh->vertex_count, index, job->thread_count);
-    struct filling f = {job->rows.counts, job->rows.storeys, job->rows.vertex_count, &job->rows};
-    uint32_t stop = (uint32_t)job->mesh->triangle_count;
-    const int32_t *t = job->mesh->triangles;
-    for (uint32_t k = 0; k < stop; k++, t += 3) {
-        if (job->is_scattered && stop - k > AHEAD)
+    const int32_t *t = job->mesh->triangles + 3 * (size_t)first;
+    for (uint32_t k = first; k < end; k++, t += 3) {
+        if (job->is_scattered && (uint32_t)job->mesh->triangle_count - k > AHEAD)
             prefetch_owned(f, owner, t + 3 * AHEAD);
         struct turned turned = turn_triangle(t, 3 * k);
         int32_t smaller = turned.b < turned.c ? turned.b : turned.c;
@@ -45,8 +42,22 @@ static void fill_share(void *argument, int index)
         if (owns(owner, smaller))
             filling_add_one(f, smaller, turned.bc);
     }
-    int32_t begin = share_begin(job->mesh->triangle_count, index, job->thread_count);
-    int32_t end = share_begin(job->mesh->triangle_count, index + 1, job->thread_count);
+}
+
+static void fill_share(void *argument, int index)
+{
+    struct job *job = argument;
+    struct owner owner = owner_of_share(job->mesh->vertex_count, index, job->thread_count);
+    struct filling f = {job->rows.counts, job->rows.storeys, job->rows.vertex_count, &job->rows};
+    int32_t stop = job->mesh->triangle_count;
+    for (int32_t k = 0; k < stop; k += BLOCK_TRIANGLES) {
+        int32_t end = stop - k < BLOCK_TRIANGLES ? stop : k + BLOCK_TRIANGLES;
+        if (job->is_scattered ||
+            !owns_none_between(owner, job->mesh->triangles + 3 * (size_t)k, end - k))
+            fill_from_block(job, f, owner, (uint32_t)k, (uint32_t)end);
+    }
+    int32_t begin = share_begin(stop, index, job->thread_count);
+    int32_t end = share_begin(stop, index + 1, job->thread_count);
     memset(job->twin + 3 * (size_t)begin, TWIN_NONE, 12 * (size_t)(end - begin));
 }
 

@@ -27,15 +27,13 @@ int64_t vertex_normals_moved_bytes(int64_t vertex_count, int64_t triangle_count,
 /* Sums stand four floats apart, so that a vector variant adds one in one step. */
 static void add_triangle(const float *p, const int32_t t[3], float *sums)
 {
-    const float *a = p + 3 * (size_t)t[0], *b = p + 3 * (size_t)t[1], *c = p + 3 * (size_t)t[2];
-    float ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
-    float vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
-    float x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+    float cross[3];
+    triangle_cross(p, t, cross);
     for (int corner = 0; corner < 3; corner++) {
         float *sum = sums + 4 * (size_t)t[corner];
-        sum[0] += x;
-        sum[1] += y;
-        sum[2] += z;
+        sum[0] += cross[0];
+        sum[1] += cross[1];
+        sum[2] += cross[2];
     }
 }
 

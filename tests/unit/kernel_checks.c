@@ -173,6 +173,25 @@ static void with_large(void (*check)(const struct mesh *mesh))
     with_changes(&m, check);
 }
 
+/* Scattered over so many vertices that kernels sort by parts of them first; with vertices of a high
+ * valence, boundaries, and a few triangles of every bad kind. */
+static void with_parts(void (*check)(const struct mesh *mesh))
+{
+    struct mesh m, other;
+    assert_int_equal(generate_torus(&m, 1, 270000, NULL), 0);
+    assert_int_equal(generate_bipyramid(&other, 10000, NULL), 0);
+    assert_int_equal(change_append(&m, &other, 1, 0, 0, NULL), 0);
+    mesh_release(&other);
+    assert_int_equal(change_scramble(&m, 5, NULL), 0);
+    check(&m);
+    assert_int_equal(change_flip(&m, 0.25, 6, NULL), 0);
+    assert_int_equal(change_remove_triangles(&m, 1000, 7, NULL), 0);
+    assert_int_equal(change_add_duplicate_triangles(&m, 1000, 8, NULL), 0);
+    assert_int_equal(change_add_degenerate_triangles(&m, 1000, 9, NULL), 0);
+    check(&m);
+    mesh_release(&m);
+}
+
 /* Few vertices and many triangles: every row overflows. */
 static void with_crowded(void (*check)(const struct mesh *mesh))
 {
@@ -197,4 +216,5 @@ void with_every_mesh(void (*check)(const struct mesh *mesh))
         mesh_release(&m);
     }
     with_large(check);
+    with_parts(check);
 }
