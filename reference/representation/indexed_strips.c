@@ -160,9 +160,10 @@ static int smooth(void *self, struct error *err)
 static void face_vertices(const void *self, int32_t first, int32_t count, int32_t *corners)
 {
     const struct indexed_strips *strips = self;
+    const int32_t *indices = strips->indices;
     strip_faces(strips->starts, strips->strip_count, first, count, corners);
     for (int64_t i = 0; i < 3 * (int64_t)count; i++)
-        corners[i] = strips->indices[corners[i]];
+        corners[i] = indices[corners[i]];
 }
 
 static int32_t face_neighbours(const void *self, int32_t face, int32_t neighbours[3])
