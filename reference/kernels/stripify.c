@@ -34,33 +34,40 @@ int64_t stripify_moved_bytes(int64_t vertex_count, int64_t triangle_count, int64
 struct walker {
     const int32_t *corner; /* the mesh's triangles */
     const int32_t *twin;
-    uint8_t *is_used; /* of each triangle */
-    int32_t *passed;  /* stack of triangles that strips have passed by */
+    uint8_t *is_used; /* of each triangle, and of one behind them, which stands for none: used */
+    int32_t none;
+    int32_t *passed; /* stack of triangles that strips have passed by */
     int64_t passed_count;
     int32_t *out; /* where the next index goes */
 };
 
-static inline int32_t next_side(int32_t side)
+static inline int32_t next_side(int32_t side, int32_t triangle)
 {
-    return side % 3 == 2 ? side - 2 : side + 1;
+    return side - 3 * triangle == 2 ? side - 2 : side + 1;
 }
 
-static inline int32_t previous_side(int32_t side)
+static inline int32_t previous_side(int32_t side, int32_t triangle)
 {
-    return side % 3 == 0 ? side + 2 : side - 1;
+    return side == 3 * triangle ? side + 2 : side - 1;
 }
 
-/* Whether a side has a neighbour that no strip holds yet. */
-static inline bool is_free(const struct walker *w, int32_t side)
+/* The triangle behind a side. */
+static inline int32_t neighbour(const struct walker *w, int32_t side)
 {
-    return w->twin[side] >= 0 && !w->is_used[w->twin[side] / 3];
+    int32_t twin = w->twin[side];
+    return twin < 0 ? w->none : (int32_t)((uint32_t)twin / 3);
 }
 
-/* Remembers the neighbour at a side as a place to start from, when it is free. */
-static inline void pass_by(struct walker *w, int32_t side, bool is_free_there)
+static inline bool is_free(const struct walker *w, int32_t triangle)
 {
-    w->passed[w->passed_count] = w->twin[side] / 3;
-    w->passed_count += is_free_there;
+    return !w->is_used[triangle];
+}
+
+/* Remembers a triangle as a place to start from, when it is free. */
+static inline void pass_by(struct walker *w, int32_t triangle)
+{
+    w->passed[w->passed_count] = triangle;
+    w->passed_count += is_free(w, triangle);
 }
 
 /* The side through which to leave the first triangle of a strip: its neighbour has the fewest free
@@ -68,48 +75,53 @@ static inline void pass_by(struct walker *w, int32_t side, bool is_free_there)
 static int32_t first_exit(const struct walker *w, int32_t triangle)
 {
     int32_t best = -1;
-    int fewest = 3;
-    for (int32_t side = 3 * triangle; side < 3 * triangle + 3; side++)
-        if (is_free(w, side)) {
-            int32_t enter = w->twin[side];
-            int count = is_free(w, next_side(enter)) + is_free(w, previous_side(enter));
-            if (count < fewest) {
-                fewest = count;
-                best = side;
-            }
+    int fewest = 4;
+    for (int32_t side = 3 * triangle; side < 3 * triangle + 3; side++) {
+        int32_t t = neighbour(w, side);
+        if (!is_free(w, t))
+            continue;
+        int count = 0;
+        for (int32_t other = 3 * t; other < 3 * t + 3; other++)
+            count += is_free(w, neighbour(w, other));
+        if (count < fewest) {
+            fewest = count;
+            best = side;
         }
+    }
     return best;
 }
 
-/* Goes on from the triangle behind `enter`, the second of the strip, until no neighbour is free.
- * The last two indices are those of the side `enter`, the older one first. */
-static void walk(struct walker *w, int32_t enter)
+/* Goes on from the triangle behind the side `leave`, the second of the strip, until no neighbour is
+ * free. The last two indices are those of that side, the older one first. */
+static void walk(struct walker *w, int32_t leave)
 {
     /* An even triangle is left through the side after the one that it was entered by, an odd one
      * through the side before it. */
     bool is_odd = true;
+    int32_t triangle = neighbour(w, leave), enter = w->twin[leave];
     for (;;) {
-        w->is_used[enter / 3] = 1;
-        int32_t next = next_side(enter), previous = previous_side(enter);
+        w->is_used[triangle] = 1;
+        int32_t next = next_side(enter, triangle), previous = previous_side(enter, triangle);
         int32_t straight = is_odd ? previous : next, aside = is_odd ? next : previous;
-        bool can_turn = is_free(w, aside);
-        int32_t leave = straight;
-        if (is_free(w, straight)) {
-            pass_by(w, aside, can_turn);
+        int32_t ahead = neighbour(w, straight), beside = neighbour(w, aside);
+        if (is_free(w, ahead)) {
+            pass_by(w, beside);
             is_odd = !is_odd;
-        } else if (can_turn) {
+            leave = straight;
+            triangle = ahead;
+        } else {
+            if (!is_free(w, beside))
+                break;
             /* The older vertex once more: this triangle then has the other parity. */
             w->out[0] = w->out[-2];
             w->out++;
             leave = aside;
-        } else {
-            leave = -1;
+            triangle = beside;
         }
         *w->out++ = w->corner[previous];
-        if (leave < 0)
-            return;
         enter = w->twin[leave];
     }
+    *w->out++ = w->corner[previous_side(enter, triangle)];
 }
 
 static void add_strip(struct walker *w, int32_t triangle)
@@ -117,16 +129,16 @@ static void add_strip(struct walker *w, int32_t triangle)
     w->is_used[triangle] = 1;
     int32_t leave = first_exit(w, triangle);
     int32_t exit = leave < 0 ? 3 * triangle : leave;
-    int32_t next = next_side(exit), previous = previous_side(exit);
+    int32_t next = next_side(exit, triangle), previous = previous_side(exit, triangle);
     w->out[0] = w->corner[previous];
     w->out[1] = w->corner[exit];
     w->out[2] = w->corner[next];
     w->out += 3;
     if (leave < 0)
         return;
-    pass_by(w, previous, is_free(w, previous));
-    pass_by(w, next, is_free(w, next));
-    walk(w, w->twin[leave]);
+    pass_by(w, neighbour(w, previous));
+    pass_by(w, neighbour(w, next));
+    walk(w, leave);
 }
 
 /* The triangle to start the next strip at; -1 when all are used. Triangles before *first are. */
@@ -134,7 +146,7 @@ static int32_t find_start(struct walker *w, int32_t triangle_count, int32_t *fir
 {
     while (w->passed_count > 0) {
         int32_t triangle = w->passed[--w->passed_count];
-        if (!w->is_used[triangle])
+        if (is_free(w, triangle))
             return triangle;
     }
     while (*first < triangle_count && w->is_used[*first])
@@ -153,9 +165,11 @@ static int64_t stripify(const struct mesh *mesh, void *scratch, void *output,
     /* Each strip passes by two triangles at its first and one at each further: at most 2 a
      * triangle, and 1 that is written but not kept. */
     struct walker w = {.corner = mesh->triangles, .twin = twin, .out = indices};
+    w.none = mesh->triangle_count;
     w.passed = (int32_t *)(void *)rest;
     w.is_used = (uint8_t *)(w.passed + 2 * triangle_count + 1);
     memset(w.is_used, 0, (size_t)triangle_count);
+    w.is_used[triangle_count] = 1;
     int32_t first = 0, start;
     while ((start = find_start(&w, mesh->triangle_count, &first)) >= 0) {
         if (w.out != indices)

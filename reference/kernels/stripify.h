@@ -12,9 +12,11 @@
  * Algorithm: a greedy walk over twins (twins.h), ours; each strip starts beside the strips before
  * it, at the triangle that was passed by last, and leaves that through the side whose neighbour has
  * the fewest free neighbours (after Akeley, Haeberli and Burns' tomesh, 1990). The triangles need
- * no order beforehand. Cost: linear in vertices and triangles. Measured: fewer indices than
- * meshoptimizer's stripify makes after its own ordering for strips, on every mesh tried, and two to
- * eight times faster than both together. */
+ * no order beforehand.
+ * Cost: linear in vertices and triangles; half of it and more are the twins. Measured beside
+ * meshoptimizer 0.18 on tori, spheres, scans and models of 1,000 to 2,000,000 triangles: from 0.5 %
+ * more to 8 % fewer indices, four to twelve times faster than its ordering for strips and its
+ * stripify together, up to three times slower than the latter alone. */
 #ifndef REFERENCE_KERNELS_STRIPIFY_H
 #define REFERENCE_KERNELS_STRIPIFY_H
 
