@@ -332,9 +332,9 @@ format: ## lay out every C and C++ file
 TIME ?= 60
 FUZZ_SUPPORT := $(filter-out tests/fuzz/replay.c $(wildcard tests/fuzz/fuzz_*.c),$(wildcard tests/fuzz/*.c))
 FUZZ_TARGETS := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
-# The grader's part of the library: what is benchmarked reads no foreign bytes.
-FUZZ_SOURCES := $(filter-out reference/representation/% reference/kernels/% bench/compare/%,$(LIBRARY_SOURCES))
-FUZZ_OBJECTS := $(FUZZ_SOURCES:%.c=%.o) $(FUZZ_SUPPORT:%.c=%.o) judge-table.o
+# The benchmark reads no foreign bytes.
+FUZZ_SOURCES := $(filter-out bench/compare/%,$(LIBRARY_SOURCES))
+FUZZ_OBJECTS := $(FUZZ_SOURCES:%.c=%.o) $(FUZZ_SUPPORT:%.c=%.o) judge-table.o representation-table.o
 FUZZ_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O1 -g
 FUZZ_CC_fuzz := clang
 FUZZ_CC_afl := afl-clang-fast
@@ -346,7 +346,7 @@ define fuzz_rules
 build/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
 	$$(call SHOW,CC  $$< ($(1)))$(FUZZ_CC_$(1)) $(FUZZ_FLAGS) $(SANITIZE_$(1)) $(COVER_$(1)) $$(DEPENDENCIES) -c $$< -o $$@
-build/$(1)/judge-table.o: $(BUILD)/judge-table.c
+build/$(1)/%-table.o: $(BUILD)/%-table.c
 	@mkdir -p $$(@D)
 	@$(FUZZ_CC_$(1)) $(FUZZ_FLAGS) $(SANITIZE_$(1)) -c $$< -o $$@
 $(FUZZ_TARGETS:%=build/$(1)/%): build/$(1)/%: build/$(1)/tests/fuzz/%.o $(FUZZ_OBJECTS:%=build/$(1)/%)
