@@ -1,0 +1,53 @@
+#!/bin/bash
+# The grader graded, a handful: one mutant of every right answer through the cases of its judge, and the tool
+# itself. make mutants takes many of each, and all the checks.
+. "$(dirname "$0")/tap.sh"
+judge=$BUILD/tests/mutants/judge_mutants
+export PYTHONDONTWRITEBYTECODE=1
+
+python3 - >"$scratch/kinds" 2>&1 <<'P'
+import sys
+sys.path.insert(0, "tests/mutants")
+from mutate import mutants_of
+
+source = """/* a + b */
+#include "x.h"
+int f(int n, int *a)
+{
+    int s = 0;
+    for (int i = 0; i < n; i++)
+        if (a[i] > 1 && n)
+            s += g(a[i], n); // < not this
+    puts("1 < 2");
+    return s;
+}
+"""
+found = {(m.operator, source[m.start : m.end], m.text) for m in mutants_of(source)}
+for expected in [
+    ("condition", "<", "<="), ("condition", "<", ">="), ("condition", "&&", "||"), ("condition", "a[i] > 1 && n", "!(a[i] > 1 && n)"),
+    ("operator", "++", "--"), ("operator", "+=", "-="), ("constant", "1", "2"), ("constant", "1", "0"),
+    ("off-by-one", "i", "(i) + 1"), ("statement", "s += g(a[i], n);", ";"), ("arguments", "a[i], n", "n, a[i]"),
+]:
+    assert expected in found, expected
+for mutant in mutants_of(source):
+    changed = mutant.apply(source)
+    assert "/* a + b */" in changed and "// < not this" in changed and '"1 < 2"' in changed, mutant.lines(source)
+    assert "return s" in changed
+P
+ok "the tool makes each kind of mutant, and none in comments, texts and the last return" [ $? -eq 0 ]
+sed 's/^/# /' "$scratch/kinds"
+
+if [ -x "$judge" ]; then
+    tests/mutants/run --program "$judge" --quick --only tests/mutants/handful.txt --out "$scratch/mutants" >"$scratch/table"
+    code=$?
+    ok "one mutant of each right answer is caught" [ "$code" -eq 0 ]
+    [ "$code" -eq 0 ] || sed 's/^/# /' "$scratch/table"
+    awk '/^[^ ]+:[0-9]+ / {sub(/:[0-9]+$/, "", $1); file = $1} /^  - / && file {b = $0; getline a; print file ": said to be equivalent\n" b "\n" a; exit}' \
+        "$scratch/mutants/mutants.txt" >"$scratch/lie"
+    exercise=$(head -n 1 "$scratch/lie" | sed 's/\.c:.*//; s/.*\///')
+    tests/mutants/run --program "$judge" --quick --exercise "$exercise" --only "$scratch/lie" --out "$scratch/again" --survivors "$scratch/lie" >"$scratch/table"
+    ok "an explanation of a mutant that is caught turns it red" sh -c '[ "$1" -eq 1 ] && grep -q "but caught" "$2"' - $? "$scratch/table"
+else
+    skip "one mutant of each right answer is caught" "judge_mutants was not built"
+fi
+done_testing
