@@ -25,17 +25,17 @@ size_t side_rows_bytes(int64_t vertex_count, int64_t triangle_count)
            padded(4 * v);
 }
 
-void side_rows_add_slowly(struct side_rows *rows, int32_t vertex, uint64_t place)
+void side_rows_add_slowly(struct side_rows *rows, int32_t row, uint64_t place)
 {
-    uint8_t *count = rows->counts + vertex;
+    uint8_t *count = rows->counts + row;
     if (*count < SIDE_ROW_PLACES) {
-        *side_row_place(rows->storeys, rows->vertex_count, vertex, *count) = place;
+        *side_row_place(rows->storeys, rows->row_count, row, *count) = place;
         *count = (uint8_t)(*count + 1);
         return;
     }
     *count = SIDE_ROW_PLACES + 1;
     int64_t k = __atomic_fetch_add(&rows->overflow_count, 1, __ATOMIC_RELAXED);
-    rows->overflow[k] = (struct loose_side){vertex, place};
+    rows->overflow[k] = (struct loose_side){row, (uint32_t)place, (uint32_t)(place >> 32)};
 }
 
 void side_rows_fill_from(struct filling f, const struct mesh *mesh, uint32_t first)
@@ -69,15 +69,23 @@ struct side_rows side_rows_begin(const struct mesh *mesh, void *scratch)
     rows.storeys = (struct storey *)(at += padded(v));
     rows.overflow = (struct loose_side *)(at += 2 * v * sizeof(struct storey));
     rows.sorting = at + padded(3 * t * sizeof(struct loose_side));
-    if (v > 0)
-        memset(rows.counts, 0, v);
+    side_rows_restart(&rows, 0, mesh->vertex_count);
     return rows;
+}
+
+void side_rows_restart(struct side_rows *rows, int32_t first_vertex, int32_t row_count)
+{
+    rows->first_vertex = first_vertex;
+    rows->row_count = row_count;
+    rows->overflow_count = 0;
+    if (row_count > 0)
+        memset(rows->counts, 0, (size_t)row_count);
 }
 
 struct side_rows side_rows_of(const struct mesh *mesh, void *scratch)
 {
     struct side_rows rows = side_rows_begin(mesh, scratch);
-    struct filling f = {rows.counts, rows.storeys, rows.vertex_count, &rows};
+    struct filling f = {rows.counts, rows.storeys, rows.row_count, &rows};
     side_rows_fill_from(f, mesh, mesh_is_scattered(mesh) ? fill_with_prefetch(f, mesh) : 0);
     return rows;
 }
@@ -99,14 +107,15 @@ static uint32_t side_of(uint64_t place)
     return (uint32_t)(place >> 32);
 }
 
-void side_rows_match_carefully(const struct side_rows *rows, int32_t vertex, int32_t *twin)
+void side_rows_match_carefully(const struct side_rows *rows, int32_t row, int32_t *twin)
 {
-    size_t count = rows->counts[vertex];
+    size_t count = rows->counts[row];
+    int32_t vertex = rows->first_vertex + row;
     for (size_t k = 0; k < count; k++) {
-        uint64_t own = *side_row_place(rows->storeys, rows->vertex_count, vertex, k);
+        uint64_t own = *side_row_place(rows->storeys, rows->row_count, row, k);
         uint32_t same = 0, opposite = 0, opposite_side = 0;
         for (size_t m = 0; m < count; m++) {
-            uint64_t other = *side_row_place(rows->storeys, rows->vertex_count, vertex, m);
+            uint64_t other = *side_row_place(rows->storeys, rows->row_count, row, m);
             if (neighbour_of(other) != neighbour_of(own))
                 continue;
             if ((side_of(other) ^ side_of(own)) & SIDE_BACKWARD) {
@@ -141,23 +150,38 @@ static void match(const struct between *between, int32_t vertex, uint64_t place,
             : twin_of(b->count[backward], b->count[!backward], b->side[!backward]);
 }
 
-/* By vertex, a counting sort; end[v] is then where the sides of v end. */
+/* By row, a counting sort; end[r] is then where the sides of row r end. */
 static void sort_overflow(const struct side_rows *rows, int32_t *end, struct loose_side *sorted)
 {
-    memset(end, 0, 4 * (size_t)rows->vertex_count);
+    memset(end, 0, 4 * (size_t)rows->row_count);
     for (int64_t k = 0; k < rows->overflow_count; k++)
-        end[rows->overflow[k].vertex]++;
+        end[rows->overflow[k].row]++;
     int32_t total = 0;
-    for (int32_t v = 0; v < rows->vertex_count; v++) {
-        int32_t count = end[v];
-        end[v] = total;
+    for (int32_t row = 0; row < rows->row_count; row++) {
+        int32_t count = end[row];
+        end[row] = total;
         total += count;
     }
     for (int64_t k = 0; k < rows->overflow_count; k++)
-        sorted[end[rows->overflow[k].vertex]++] = rows->overflow[k];
+        sorted[end[rows->overflow[k].row]++] = rows->overflow[k];
 }
 
-void side_rows_match_overflow(const struct side_rows *rows, int32_t *twin)
+static void match_overflow_of(const struct side_rows *rows, int32_t row,
+                              const struct loose_side *loose, const struct loose_side *stop,
+                              struct between *between, int32_t *twin)
+{
+    int32_t vertex = rows->first_vertex + row;
+    for (size_t k = 0; k < SIDE_ROW_PLACES; k++)
+        note(between, vertex, *side_row_place(rows->storeys, rows->row_count, row, k));
+    for (const struct loose_side *l = loose; l < stop; l++)
+        note(between, vertex, side_place((int32_t)l->neighbour, l->side));
+    for (size_t k = 0; k < SIDE_ROW_PLACES; k++)
+        match(between, vertex, *side_row_place(rows->storeys, rows->row_count, row, k), twin);
+    for (const struct loose_side *l = loose; l < stop; l++)
+        match(between, vertex, side_place((int32_t)l->neighbour, l->side), twin);
+}
+
+void side_rows_match_overflow(struct side_rows *rows, int32_t *twin)
 {
     if (rows->overflow_count == 0)
         return;
@@ -165,18 +189,11 @@ void side_rows_match_overflow(const struct side_rows *rows, int32_t *twin)
     struct between *between = rows->sorting;
     int32_t *end = (int32_t *)((char *)between + padded(v_count * sizeof *between));
     struct loose_side *sorted = (struct loose_side *)((char *)end + padded(4 * v_count));
+    if (!rows->sorting_is_clear)
+        memset(between, -1, v_count * sizeof *between);
+    rows->sorting_is_clear = true;
     sort_overflow(rows, end, sorted);
-    memset(between, -1, v_count * sizeof *between);
-    for (int32_t v = 0, begin = 0; v < rows->vertex_count; begin = end[v++]) {
-        if (begin == end[v])
-            continue;
-        for (size_t k = 0; k < SIDE_ROW_PLACES; k++)
-            note(between, v, *side_row_place(rows->storeys, rows->vertex_count, v, k));
-        for (int32_t k = begin; k < end[v]; k++)
-            note(between, v, sorted[k].place);
-        for (size_t k = 0; k < SIDE_ROW_PLACES; k++)
-            match(between, v, *side_row_place(rows->storeys, rows->vertex_count, v, k), twin);
-        for (int32_t k = begin; k < end[v]; k++)
-            match(between, v, sorted[k].place, twin);
-    }
+    for (int32_t row = 0, begin = 0; row < rows->row_count; begin = end[row++])
+        if (begin < end[row])
+            match_overflow_of(rows, row, sorted + begin, sorted + end[row], between, twin);
 }

@@ -14,6 +14,7 @@
 
 #include "reference/mesh/mesh.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -33,25 +34,29 @@ struct storey {
     uint64_t places[STOREY_PLACES];
 };
 
+/* A side on its way to a row. */
 struct loose_side {
-    int32_t vertex;
-    uint64_t place;
+    int32_t row;
+    uint32_t neighbour, side;
 };
 
 struct side_rows {
-    uint8_t *counts;        /* for each vertex; SIDE_ROW_PLACES + 1: it has sides in the overflow */
-    struct storey *storeys; /* of vertex v: storeys[v] and storeys[vertex_count + v] */
+    uint8_t *counts;        /* of each row; SIDE_ROW_PLACES + 1: it has sides in the overflow */
+    struct storey *storeys; /* of row r: storeys[r] and storeys[row_count + r] */
     struct loose_side *overflow; /* in the order of coming */
     int64_t overflow_count;
-    void *sorting; /* scratch of twins_match_overflow */
-    int32_t vertex_count;
+    void *sorting; /* scratch of side_rows_match_overflow */
+    bool sorting_is_clear;
+    int32_t first_vertex; /* row r is that of vertex first_vertex + r */
+    int32_t row_count;
+    int32_t vertex_count; /* of the mesh */
 };
 
-static inline uint64_t *side_row_place(struct storey *storeys, int32_t vertex_count, int32_t vertex,
+static inline uint64_t *side_row_place(struct storey *storeys, int32_t row_count, int32_t row,
                                        size_t k)
 {
-    size_t upper = k / STOREY_PLACES * (size_t)vertex_count;
-    return storeys[upper + (size_t)vertex].places + k % STOREY_PLACES;
+    size_t upper = k / STOREY_PLACES * (size_t)row_count;
+    return storeys[upper + (size_t)row].places + k % STOREY_PLACES;
 }
 
 /* Bytes of scratch; of these only 65 a vertex are touched when no row needs its upper storey. */
@@ -64,57 +69,60 @@ struct side_rows side_rows_of_avx512(const struct mesh *mesh, void *scratch);
 #endif
 
 /* Gives the sides in one row their twins, whatever the edges there; count <= SIDE_ROW_PLACES. */
-void side_rows_match_carefully(const struct side_rows *rows, int32_t vertex, int32_t *twin);
+void side_rows_match_carefully(const struct side_rows *rows, int32_t row, int32_t *twin);
 
-/* Gives the sides at vertices with an overflow their twins. Linear in vertices and sides. */
-void side_rows_match_overflow(const struct side_rows *rows, int32_t *twin);
+/* Gives the sides in rows with an overflow their twins. Linear in rows and sides, and the first
+ * time in the vertices of the mesh. */
+void side_rows_match_overflow(struct side_rows *rows, int32_t *twin);
 
 /* -- filling, for the variants ------------------------------------------------------------- */
 
-/* Lays empty rows out in scratch. */
+/* Lays empty rows of all vertices out in scratch. */
 struct side_rows side_rows_begin(const struct mesh *mesh, void *scratch);
 
+/* Makes them the empty rows of some vertices only. */
+void side_rows_restart(struct side_rows *rows, int32_t first_vertex, int32_t row_count);
+
 /* Adds a side to a row that may be full. */
-void side_rows_add_slowly(struct side_rows *rows, int32_t vertex, uint64_t place);
+void side_rows_add_slowly(struct side_rows *rows, int32_t row, uint64_t place);
 
 /* The table of rows while it is filled, held by value: stores to counts, which are characters,
  * could otherwise change it in the compiler's eyes. */
 struct filling {
     uint8_t *counts;
     struct storey *storeys;
-    int32_t vertex_count;
+    int32_t row_count;
     struct side_rows *rows;
 };
 
-static inline void filling_add_one(struct filling f, int32_t vertex, uint64_t place)
+static inline void filling_add_one(struct filling f, int32_t row, uint64_t place)
 {
-    size_t count = f.counts[vertex];
+    size_t count = f.counts[row];
     if (__builtin_expect(count > SIDE_ROW_PLACES - 1, 0)) {
-        side_rows_add_slowly(f.rows, vertex, place);
+        side_rows_add_slowly(f.rows, row, place);
         return;
     }
-    *side_row_place(f.storeys, f.vertex_count, vertex, count) = place;
-    f.counts[vertex] = (uint8_t)(count + 1);
+    *side_row_place(f.storeys, f.row_count, row, count) = place;
+    f.counts[row] = (uint8_t)(count + 1);
 }
 
-static inline void filling_add_two(struct filling f, int32_t vertex, uint64_t first,
-                                   uint64_t second)
+static inline void filling_add_two(struct filling f, int32_t row, uint64_t first, uint64_t second)
 {
-    size_t count = f.counts[vertex];
+    size_t count = f.counts[row];
     if (__builtin_expect(count > SIDE_ROW_PLACES - 2, 0)) {
-        side_rows_add_slowly(f.rows, vertex, first);
-        side_rows_add_slowly(f.rows, vertex, second);
+        side_rows_add_slowly(f.rows, row, first);
+        side_rows_add_slowly(f.rows, row, second);
         return;
     }
-    *side_row_place(f.storeys, f.vertex_count, vertex, count) = first;
-    *side_row_place(f.storeys, f.vertex_count, vertex, count + 1) = second;
-    f.counts[vertex] = (uint8_t)(count + 2);
+    *side_row_place(f.storeys, f.row_count, row, count) = first;
+    *side_row_place(f.storeys, f.row_count, row, count + 1) = second;
+    f.counts[row] = (uint8_t)(count + 2);
 }
 
-static inline void filling_prefetch(struct filling f, int32_t vertex)
+static inline void filling_prefetch(struct filling f, int32_t row)
 {
-    __builtin_prefetch(f.counts + vertex, 1);
-    __builtin_prefetch(f.storeys + vertex, 1);
+    __builtin_prefetch(f.counts + row, 1);
+    __builtin_prefetch(f.storeys + row, 1);
 }
 
 /* A triangle turned so that it begins with its smallest corner, a. */

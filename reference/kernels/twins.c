@@ -1,6 +1,8 @@
 /* Twins found in the rows of smaller vertices; see twins.h. */
 #include "reference/kernels/twins.h"
 
+#include "reference/kernels/order.h"
+#include "reference/kernels/parts.h"
 #include "reference/kernels/side_rows.h"
 #include "reference/kernels/twin_pairs.h"
 
@@ -33,13 +35,14 @@ struct memory {
 
 /* Pairs the sides of a row without a branch on the data. Returns false, with nothing entered, when
  * the row has an edge that is not manifold or incoherent, or the small table forgot a side. */
-static bool match_quickly(const struct side_rows *rows, int32_t vertex, struct memory *memory,
+static bool match_quickly(const struct side_rows *rows, int32_t row, struct memory *memory,
                           struct twin_pairs *pairs)
 {
-    size_t count = rows->counts[vertex], pair_count = pairs->count;
+    int32_t vertex = rows->first_vertex + row;
+    size_t count = rows->counts[row], pair_count = pairs->count;
     bool odd = false;
     for (size_t k = 0; k < count; k++) {
-        uint64_t place = *side_row_place(rows->storeys, rows->vertex_count, vertex, k);
+        uint64_t place = *side_row_place(rows->storeys, rows->row_count, row, k);
         uint32_t neighbour = (uint32_t)place, side = (uint32_t)(place >> 32);
         uint64_t edge = (uint64_t)vertex << 32 | neighbour;
         uint32_t slot = neighbour * UINT32_C(0x9E3779B1) >> (32 - MEMORY_BITS);
@@ -64,22 +67,74 @@ void twins_match(const struct side_rows *rows, int32_t begin, int32_t end, int32
     struct twin_pairs pairs = {.twin = twin};
     struct memory memory;
     memset(&memory, -1, sizeof memory);
-    for (int32_t v = begin; v < end; v++) {
-        if (rows->counts[v] > SIDE_ROW_PLACES)
+    for (int32_t row = begin; row < end; row++) {
+        if (rows->counts[row] > SIDE_ROW_PLACES)
             continue;
-        if (!match_quickly(rows, v, &memory, &pairs))
-            side_rows_match_carefully(rows, v, twin);
+        if (!match_quickly(rows, row, &memory, &pairs))
+            side_rows_match_carefully(rows, row, twin);
         if (pairs.count >= TWIN_PAIRS)
             twin_pairs_flush(&pairs);
     }
     twin_pairs_flush(&pairs);
 }
 
+/* Sorts the sides by parts of the vertices. They stand where the overflow will: what a part adds to
+ * that are sides that were read before. */
+static void part_sides(struct parts *parts, const struct mesh *mesh, struct loose_side *sides)
+{
+    parts_begin(parts, mesh);
+    const int32_t *t = mesh->triangles;
+    for (uint32_t k = 0, stop = (uint32_t)mesh->triangle_count; k < stop; k++, t += 3) {
+        struct turned s = turn_triangle(t, 3 * k);
+        int32_t smaller = s.b < s.c ? s.b : s.c;
+        int32_t *end = &parts->ends[s.a >> parts->shift];
+        sides[*end] = (struct loose_side){s.a, (uint32_t)s.ab, (uint32_t)(s.ab >> 32)};
+        sides[*end + 1] = (struct loose_side){s.a, (uint32_t)s.ac, (uint32_t)(s.ac >> 32)};
+        *end += 2;
+        end = &parts->ends[smaller >> parts->shift];
+        sides[(*end)++] = (struct loose_side){smaller, (uint32_t)s.bc, (uint32_t)(s.bc >> 32)};
+    }
+}
+
+static void run_by_parts(void (*match)(const struct side_rows *rows, int32_t begin, int32_t end,
+                                       int32_t *twin),
+                         const struct mesh *mesh, void *scratch, int32_t *twin)
+{
+    struct side_rows rows = side_rows_begin(mesh, scratch);
+    struct parts parts;
+    const struct loose_side *side = rows.overflow;
+    part_sides(&parts, mesh, rows.overflow);
+    int32_t part_size = 1 << parts.shift;
+    for (int64_t first = 0; first < mesh->vertex_count; first += part_size) {
+        const struct loose_side *stop = rows.overflow + parts.ends[first >> parts.shift];
+        int64_t left = mesh->vertex_count - first;
+        side_rows_restart(&rows, (int32_t)first, left < part_size ? (int32_t)left : part_size);
+        struct filling f = {rows.counts, rows.storeys, rows.row_count, &rows};
+        for (; side < stop; side++)
+            filling_add_one(f, side->row - (int32_t)first,
+                            side_place((int32_t)side->neighbour, side->side));
+        match(&rows, 0, rows.row_count, twin);
+        side_rows_match_overflow(&rows, twin);
+    }
+}
+
+int64_t twins_by(struct side_rows (*fill)(const struct mesh *mesh, void *scratch),
+                 void (*match)(const struct side_rows *rows, int32_t begin, int32_t end,
+                               int32_t *twin),
+                 const struct mesh *mesh, void *scratch, int32_t *twin)
+{
+    memset(twin, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
+    if (mesh_is_worth_parting(mesh)) {
+        run_by_parts(match, mesh, scratch, twin);
+    } else {
+        struct side_rows rows = fill(mesh, scratch);
+        match(&rows, 0, rows.row_count, twin);
+        side_rows_match_overflow(&rows, twin);
+    }
+    return 3 * (int64_t)mesh->triangle_count;
+}
+
 int64_t twins_plain(const struct mesh *mesh, void *scratch, void *output)
 {
-    struct side_rows rows = side_rows_of(mesh, scratch);
-    memset(output, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
-    twins_match(&rows, 0, mesh->vertex_count, output);
-    side_rows_match_overflow(&rows, output);
-    return 3 * (int64_t)mesh->triangle_count;
+    return twins_by(side_rows_of, twins_match, mesh, scratch, output);
 }

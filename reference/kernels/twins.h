@@ -33,9 +33,13 @@ int64_t twins_avx512(const struct mesh *mesh, void *scratch, void *output);
 /* On a given number of threads, of the same scratch. */
 int64_t twins_on_threads(const struct mesh *mesh, void *scratch, void *output, int thread_count);
 
-/* The second half of every variant: the twins of the sides in the rows begin ... end - 1, but of
- * those with an overflow. twin is full of TWIN_NONE. */
+/* What every variant does, given how it fills rows and how it matches the rows begin ... end - 1,
+ * but those with an overflow (side_rows.h). */
 struct side_rows;
+int64_t twins_by(struct side_rows (*fill)(const struct mesh *mesh, void *scratch),
+                 void (*match)(const struct side_rows *rows, int32_t begin, int32_t end,
+                               int32_t *twin),
+                 const struct mesh *mesh, void *scratch, int32_t *twin);
 void twins_match(const struct side_rows *rows, int32_t begin, int32_t end, int32_t *twin);
 #if defined(__x86_64__)
 void twins_match_avx2(const struct side_rows *rows, int32_t begin, int32_t end, int32_t *twin);

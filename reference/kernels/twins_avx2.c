@@ -6,8 +6,6 @@
 
 #if defined(__x86_64__)
 
-#include <string.h>
-
 struct eight_sides {
     __m256i neighbours, sides;
 };
@@ -50,13 +48,14 @@ TARGET_AVX2 static inline void put_pairs(struct eight_sides s, struct met8 met, 
 }
 
 /* Pairs the sides of a row. Returns false, with nothing entered, when it takes more care. */
-TARGET_AVX2 static inline bool match_row(const struct side_rows *rows, int32_t v,
+TARGET_AVX2 static inline bool match_row(const struct side_rows *rows, int32_t row,
                                          struct twin_pairs *pairs)
 {
-    int count = rows->counts[v];
+    int count = rows->counts[row];
+    int32_t v = rows->first_vertex + row;
     if (count > SIDE_ROW_PLACES)
         return true;
-    struct eight_sides low = load_storey(rows->storeys + v);
+    struct eight_sides low = load_storey(rows->storeys + row);
     struct met8 met = meet_within(low.neighbours, low.sides);
     if (!is_plain(low, met, count, v))
         return false;
@@ -64,7 +63,7 @@ TARGET_AVX2 static inline bool match_row(const struct side_rows *rows, int32_t v
         put_pairs(low, met, count, pairs);
         return true;
     }
-    struct eight_sides high = load_storey(rows->storeys + rows->vertex_count + v);
+    struct eight_sides high = load_storey(rows->storeys + rows->row_count + row);
     struct met8 met_high = meet_lower(meet_within(high.neighbours, high.sides), high.neighbours,
                                       low.neighbours, low.sides);
     if (!is_plain(high, met_high, count - STOREY_PLACES, v))
@@ -78,22 +77,18 @@ TARGET_AVX2 void twins_match_avx2(const struct side_rows *rows, int32_t begin, i
                                   int32_t *twin)
 {
     struct twin_pairs pairs = {.twin = twin};
-    for (int32_t v = begin; v < end; v++) {
-        if (!match_row(rows, v, &pairs))
-            side_rows_match_carefully(rows, v, twin);
+    for (int32_t row = begin; row < end; row++) {
+        if (!match_row(rows, row, &pairs))
+            side_rows_match_carefully(rows, row, twin);
         if (pairs.count >= TWIN_PAIRS)
             twin_pairs_flush(&pairs);
     }
     twin_pairs_flush(&pairs);
 }
 
-TARGET_AVX2 int64_t twins_avx2(const struct mesh *mesh, void *scratch, void *output)
+int64_t twins_avx2(const struct mesh *mesh, void *scratch, void *output)
 {
-    struct side_rows rows = side_rows_of(mesh, scratch);
-    memset(output, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
-    twins_match_avx2(&rows, 0, mesh->vertex_count, output);
-    side_rows_match_overflow(&rows, output);
-    return 3 * (int64_t)mesh->triangle_count;
+    return twins_by(side_rows_of, twins_match_avx2, mesh, scratch, output);
 }
 
 #endif

@@ -7,7 +7,6 @@
 #if defined(__x86_64__)
 
 #include <immintrin.h>
-#include <string.h>
 
 /* Pairs the sides in a first storey. vpconflict names for each place the places before it with the
  * same neighbour: one in a manifold, and the side there must run the other way. Returns false, with
@@ -68,15 +67,16 @@ TARGET_AVX512 static inline bool match_both(const struct storey *lower, const st
     return true;
 }
 
-TARGET_AVX512 static inline bool match_row(const struct side_rows *rows, int32_t v,
+TARGET_AVX512 static inline bool match_row(const struct side_rows *rows, int32_t row,
                                            struct twin_pairs *pairs)
 {
-    unsigned count = rows->counts[v];
-    const struct storey *lower = rows->storeys + v;
+    unsigned count = rows->counts[row];
+    int32_t v = rows->first_vertex + row;
+    const struct storey *lower = rows->storeys + row;
     if (count <= STOREY_PLACES)
         return match_storey(lower, count, v, pairs);
     if (count <= SIDE_ROW_PLACES)
-        return match_both(lower, lower + rows->vertex_count, count, v, pairs);
+        return match_both(lower, lower + rows->row_count, count, v, pairs);
     return true;
 }
 
@@ -84,22 +84,18 @@ TARGET_AVX512 void twins_match_avx512(const struct side_rows *rows, int32_t begi
                                       int32_t *twin)
 {
     struct twin_pairs pairs = {.twin = twin};
-    for (int32_t v = begin; v < end; v++) {
-        if (!match_row(rows, v, &pairs))
-            side_rows_match_carefully(rows, v, twin);
+    for (int32_t row = begin; row < end; row++) {
+        if (!match_row(rows, row, &pairs))
+            side_rows_match_carefully(rows, row, twin);
         if (pairs.count >= TWIN_PAIRS)
             twin_pairs_flush(&pairs);
     }
     twin_pairs_flush(&pairs);
 }
 
-TARGET_AVX512 int64_t twins_avx512(const struct mesh *mesh, void *scratch, void *output)
+int64_t twins_avx512(const struct mesh *mesh, void *scratch, void *output)
 {
-    struct side_rows rows = side_rows_of_avx512(mesh, scratch);
-    memset(output, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
-    twins_match_avx512(&rows, 0, mesh->vertex_count, output);
-    side_rows_match_overflow(&rows, output);
-    return 3 * (int64_t)mesh->triangle_count;
+    return twins_by(side_rows_of_avx512, twins_match_avx512, mesh, scratch, output);
 }
 
 #endif

@@ -48,7 +48,7 @@ static void fill_share(void *argument, int index)
 {
     struct job *job = argument;
     struct owner owner = owner_of_share(job->mesh->vertex_count, index, job->thread_count);
-    struct filling f = {job->rows.counts, job->rows.storeys, job->rows.vertex_count, &job->rows};
+    struct filling f = {job->rows.counts, job->rows.storeys, job->rows.row_count, &job->rows};
     int32_t stop = job->mesh->triangle_count;
     for (int32_t k = 0; k < stop; k += BLOCK_TRIANGLES) {
         int32_t end = stop - k < BLOCK_TRIANGLES ? stop : k + BLOCK_TRIANGLES;
