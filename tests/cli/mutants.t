@@ -31,8 +31,8 @@ for expected in [
     assert expected in found, expected
 for mutant in mutants_of(source):
     changed = mutant.apply(source)
-    assert "/* a + b */" in changed and "// < not this" in changed and '"1 < 2"' in changed, mutant.lines(source)
-    assert "return s" in changed
+    assert "/* a + b */" in changed and "// < not this" in changed and "return s" in changed, mutant.lines(source)
+    assert '"1 < 2"' in changed or mutant.text == ";", mutant.lines(source)
 P
 ok "the tool makes each kind of mutant, and none in comments, texts and the last return" [ $? -eq 0 ]
 sed 's/^/# /' "$scratch/kinds"
