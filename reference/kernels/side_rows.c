@@ -40,9 +40,8 @@ void side_rows_add_slowly(struct side_rows *rows, int32_t row, uint64_t place)
 
 void side_rows_fill_from(struct filling f, const struct mesh *mesh, uint32_t first)
 {
-    const int32_t *t = mesh->triangles + 3 * (size_t)first;
-    for (uint32_t k = first, stop = (uint32_t)mesh->triangle_count; k < stop; k++, t += 3)
-        filling_add_triangle(f, t, 3 * k);
+    for (uint32_t k = first, stop = (uint32_t)mesh->triangle_count; k < stop; k++)
+        filling_add_triangle(f, mesh->triangles + 3 * (size_t)k, 3 * k);
 }
 
 /* All but the last AHEAD triangles. Returns how many. */
