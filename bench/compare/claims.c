@@ -98,6 +98,7 @@ static int measure(const char *representation, const struct mesh *mesh, double *
     static const float identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     const struct representation *kind = representation_find(representation);
     void *self;
+    *processed = *bytes = 0.0;
     if (!kind)
         return error_set(err, "there is no representation %s", representation);
     if (representation_new(kind, &self, mesh, err))

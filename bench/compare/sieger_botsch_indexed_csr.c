@@ -87,7 +87,8 @@ static int make_rows(struct held *held, struct mesh *mesh, struct error *err)
         return 0;
     }
     release(held);
-    return error_set(err, "out of memory: rows of %zu vertices", vertices);
+    error_set(err, "out of memory: rows of %zu vertices", vertices);
+    return -1;
 }
 
 /* The rows need a manifold: asks the matching of sides. */

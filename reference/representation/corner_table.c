@@ -28,7 +28,8 @@ static int allocate(struct corner_table *table, const struct mesh *mesh, struct 
     if (table->positions && table->vertex_corner && table->vertex && table->opposite)
         return 0;
     corner_table_release(table);
-    return error_set(err, "out of memory: corner table of %d triangles", mesh->triangle_count);
+    error_set(err, "out of memory: corner table of %d triangles", mesh->triangle_count);
+    return -1;
 }
 
 /* The side that faces corner c starts at the next corner; its twin is faced by the corner before

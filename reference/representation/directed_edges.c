@@ -26,7 +26,8 @@ static int allocate(struct directed_edge_mesh *de, const struct mesh *mesh, stru
     if (de->positions && de->vertex_edge && de->edges)
         return 0;
     directed_edges_release(de);
-    return error_set(err, "out of memory: directed edges of %d triangles", mesh->triangle_count);
+    error_set(err, "out of memory: directed edges of %d triangles", mesh->triangle_count);
+    return -1;
 }
 
 static void fill_edges(struct directed_edge_mesh *de, const struct mesh *mesh, const int32_t *twin)

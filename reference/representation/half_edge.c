@@ -25,10 +25,11 @@ static int allocate(struct half_edge_mesh *he, int64_t vertex_count, int64_t fac
     he->positions = malloc(3 * (size_t)vertex_count * sizeof *he->positions + 1);
     he->vertex_half_edge = malloc((size_t)vertex_count * sizeof *he->vertex_half_edge + 1);
     he->face_half_edge = malloc((size_t)face_count * sizeof *he->face_half_edge + 1);
-    he->half_edges = malloc((size_t)half_edge_count * sizeof *he->half_edges + 1);
+    he->half_edges = calloc((size_t)half_edge_count + 1, sizeof *he->half_edges);
     if (!he->positions || !he->vertex_half_edge || !he->face_half_edge || !he->half_edges) {
         half_edge_release(he);
-        return error_set(err, "out of memory: %lld half edges", (long long)half_edge_count);
+        error_set(err, "out of memory: %lld half edges", (long long)half_edge_count);
+        return -1;
     }
     he->vertex_count = he->vertex_capacity = (int32_t)vertex_count;
     he->face_count = he->face_capacity = (int32_t)face_count;

@@ -26,10 +26,11 @@ static int allocate(struct half_winged_edge_mesh *hw, int64_t vertex_count, int6
     hw->positions = malloc(3 * (size_t)vertex_count * sizeof *hw->positions + 1);
     hw->vertex_half_edge = malloc((size_t)vertex_count * sizeof *hw->vertex_half_edge + 1);
     hw->face_half_edge = malloc((size_t)face_count * sizeof *hw->face_half_edge + 1);
-    hw->half_edges = malloc((size_t)half_edge_count * sizeof *hw->half_edges + 1);
+    hw->half_edges = calloc((size_t)half_edge_count + 1, sizeof *hw->half_edges);
     if (!hw->positions || !hw->vertex_half_edge || !hw->face_half_edge || !hw->half_edges) {
         half_winged_edge_release(hw);
-        return error_set(err, "out of memory: %lld half edges", (long long)half_edge_count);
+        error_set(err, "out of memory: %lld half edges", (long long)half_edge_count);
+        return -1;
     }
     hw->vertex_count = (int32_t)vertex_count;
     hw->face_count = (int32_t)face_count;
@@ -140,7 +141,7 @@ int half_winged_edge_build(struct half_winged_edge_mesh *hw, const struct polygo
     size_t side_count = (size_t)polygons_side_count(polygons);
     struct plan plan = {.polygons = polygons,
                         .twin = malloc(side_count * sizeof *plan.twin + 1),
-                        .number_of_side = malloc(side_count * sizeof *plan.number_of_side + 1),
+                        .number_of_side = calloc(side_count + 1, sizeof *plan.number_of_side),
                         .fan = malloc((size_t)polygons->vertex_count * sizeof *plan.fan + 1)};
     int result =
         plan.twin && plan.number_of_side && plan.fan

@@ -3,7 +3,6 @@
 #include "reference/representation/vector.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
@@ -96,8 +95,9 @@ int half_winged_edge_shade(struct half_winged_edge_mesh *hw, double crease_degre
 
 static bool looks_alike(const struct half_winged_edge *a, const struct half_winged_edge *b)
 {
-    return memcmp(a->normal, b->normal, sizeof a->normal) == 0 &&
-           memcmp(a->texture, b->texture, sizeof a->texture) == 0;
+    return a->normal[0] == b->normal[0] && a->normal[1] == b->normal[1] &&
+           a->normal[2] == b->normal[2] && a->texture[0] == b->texture[0] &&
+           a->texture[1] == b->texture[1];
 }
 
 int64_t half_winged_edge_render_vertices(const struct half_winged_edge_mesh *hw)

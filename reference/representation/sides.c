@@ -1,5 +1,7 @@
-/* Twins by bucketing on the smaller vertex, and one fan a vertex; see sides.h. */
+/* Twins by kernel or by bucketing on the smaller vertex, and one fan a vertex; see sides.h. */
 #include "reference/representation/sides.h"
+
+#include "reference/kernels/twins.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -174,13 +176,14 @@ static int check_corners(const struct polygons *polygons, int32_t *mark, struct 
     return result;
 }
 
-int sides_match(const struct polygons *polygons, int32_t *twin, struct error *err)
+/* Any faces; names what is wrong. */
+static int match_faces(const struct polygons *polygons, int32_t *twin, struct error *err)
 {
     size_t vertex_count = (size_t)polygons->vertex_count;
     size_t side_count = (size_t)polygons_side_count(polygons);
     int32_t *end = calloc(vertex_count + 1, sizeof *end);
     int32_t *mark = calloc(vertex_count + 1, sizeof *mark); /* touched by long buckets only */
-    struct entry *entries = malloc((side_count + 1) * sizeof *entries);
+    struct entry *entries = calloc(side_count + 1, sizeof *entries);
     int result = -1;
     if (!end || !mark || !entries) {
         error_set(err, "out of memory: matching the sides of %d faces", polygons->face_count);
@@ -195,6 +198,57 @@ int sides_match(const struct polygons *polygons, int32_t *twin, struct error *er
     return result;
 }
 
+/* Whether the kernel's answer is beyond doubt: no edge has many sides, and no two boundary sides
+ * leave one vertex, as they do where two triangles run through an edge in the same direction. */
+static bool is_beyond_doubt(const struct polygons *polygons, const int32_t *twin, uint8_t *has_side)
+{
+    for (int32_t s = 0; s < 3 * polygons->face_count; s++) {
+        if (twin[s] >= 0)
+            continue;
+        if (twin[s] == TWIN_MANY || has_side[polygons->corners[s]])
+            return false;
+        has_side[polygons->corners[s]] = 1;
+    }
+    return true;
+}
+
+/* Triangles, by the fastest kernel. Returns whether all is well; what is not, it cannot name. */
+static bool match_triangles(const struct polygons *polygons, int32_t *twin)
+{
+    const struct kernel *kernel = kernel_find("twins", NULL);
+    int64_t vertices = polygons->vertex_count, triangles = polygons->face_count;
+    struct mesh mesh = {.vertex_count = polygons->vertex_count,
+                        .triangle_count = polygons->face_count};
+    memcpy(&mesh.triangles, &polygons->corners, sizeof mesh.triangles); /* which it only reads */
+    size_t scratch_bytes = kernel->scratch_bytes(vertices, triangles);
+    size_t output_bytes = kernel->output_bytes(vertices, triangles);
+    void *scratch = aligned_alloc(64, (scratch_bytes / 64 + 1) * 64);
+    int32_t *output = aligned_alloc(64, (output_bytes / 64 + 1) * 64);
+    uint8_t *has_side = calloc((size_t)vertices + 1, 1);
+    bool is_done = false;
+    if (scratch && output && has_side) {
+        kernel->run(&mesh, scratch, output);
+        is_done = is_beyond_doubt(polygons, output, has_side);
+        if (is_done && triangles > 0)
+            memcpy(twin, output, 3 * (size_t)triangles * sizeof *twin);
+    }
+    free(scratch);
+    free(output);
+    free(has_side);
+    return is_done;
+}
+
+int sides_match(const struct polygons *polygons, int32_t *twin, struct error *err)
+{
+    if (!polygons->face_starts) {
+        if (check_triangles(polygons, err))
+            return -1;
+        if (match_triangles(polygons, twin))
+            return 0;
+    }
+    return match_faces(polygons, twin, err);
+}
+
 /* -- fans ----------------------------------------------------------------------------------- */
 
 /* The side before each side in its face; only for faces that are not all triangles. */
@@ -207,30 +261,53 @@ static void list_previous(const struct polygons *polygons, int32_t *previous)
     }
 }
 
-/* Sides met from `first` on, turning counter-clockwise until the boundary or `first` again. */
-static int32_t fan_length(int32_t first, const int32_t *twin, const int32_t *previous)
+enum { TOGETHER = 16 }; /* fans that are walked at the same time, so that cache misses overlap */
+
+/* Turns counter-clockwise around each of `count` vertices from `first` on until the boundary or the
+ * start of the fan; length[i] is how many sides that meets. */
+static void walk_fans(int32_t first, int32_t count, const int32_t *fan, const int32_t *twin,
+                      const int32_t *previous, int32_t *length)
 {
-    int32_t length = 0, side = first;
-    do {
-        length++;
-        side = twin[previous ? previous[side] : side % 3 ? side - 1 : side + 2];
-    } while (side >= 0 && side != first);
-    return length;
+    int32_t side[TOGETHER], vertex[TOGETHER], walking = 0;
+    for (int32_t i = 0; i < count; i++) {
+        length[i] = 0;
+        if (fan[first + i] < 0)
+            continue;
+        vertex[walking] = i;
+        side[walking++] = fan[first + i];
+    }
+    while (walking > 0)
+        for (int32_t i = 0; i < walking; i++) {
+            int32_t s = side[i];
+            length[vertex[i]]++;
+            side[i] = twin[previous ? previous[s] : s % 3 ? s - 1 : s + 2];
+            if (side[i] < 0 || side[i] == fan[first + vertex[i]]) { /* the last takes its place */
+                walking--;
+                vertex[i] = vertex[walking];
+                side[i] = side[walking];
+                i--;
+            }
+        }
 }
 
 static int find_fans(const struct polygons *polygons, const int32_t *twin, const int32_t *previous,
                      int32_t *corner_count, int32_t *fan, struct error *err)
 {
-    for (int32_t s = polygons_side_count(polygons) - 1; s >= 0; s--) {
+    for (int32_t s = 0; s < polygons_side_count(polygons); s++) {
         int32_t v = polygons->corners[s];
-        if (twin[s] < 0 || fan[v] < 0 || twin[fan[v]] >= 0)
+        if (twin[s] < 0 || fan[v] < 0)
             fan[v] = s;
         corner_count[v]++;
     }
-    for (int32_t v = 0; v < polygons->vertex_count; v++)
-        if (fan[v] >= 0 && fan_length(fan[v], twin, previous) != corner_count[v])
-            return error_set(err, "vertex %d is non-manifold: its %d faces are not one fan", v,
-                             corner_count[v]);
+    for (int32_t v = 0; v < polygons->vertex_count; v += TOGETHER) {
+        int32_t left = polygons->vertex_count - v, length[TOGETHER];
+        int32_t count = left < TOGETHER ? left : TOGETHER;
+        walk_fans(v, count, fan, twin, previous, length);
+        for (int32_t i = 0; i < count; i++)
+            if (length[i] != corner_count[v + i])
+                return error_set(err, "vertex %d is non-manifold: its %d faces are not one fan",
+                                 v + i, corner_count[v + i]);
+    }
     return 0;
 }
 

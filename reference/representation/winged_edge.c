@@ -22,10 +22,11 @@ static int allocate(struct winged_edge_mesh *we, int32_t vertex_count, int32_t f
     we->positions = malloc(3 * (size_t)vertex_count * sizeof *we->positions + 1);
     we->vertex_edge = malloc((size_t)vertex_count * sizeof *we->vertex_edge + 1);
     we->face_edge = malloc((size_t)face_count * sizeof *we->face_edge + 1);
-    we->edges = malloc((size_t)edge_count * sizeof *we->edges + 1);
+    we->edges = calloc((size_t)edge_count + 1, sizeof *we->edges);
     if (!we->positions || !we->vertex_edge || !we->face_edge || !we->edges) {
         winged_edge_release(we);
-        return error_set(err, "out of memory: %d winged edges", edge_count);
+        error_set(err, "out of memory: %d winged edges", edge_count);
+        return -1;
     }
     we->vertex_count = we->vertex_capacity = vertex_count;
     we->face_count = we->face_capacity = face_count;
@@ -106,7 +107,7 @@ int winged_edge_build(struct winged_edge_mesh *we, const struct polygons *polygo
     *we = (struct winged_edge_mesh){0};
     size_t side_count = (size_t)polygons_side_count(polygons);
     int32_t *twin = malloc(side_count * sizeof *twin + 1);
-    int32_t *edge_of_side = malloc(side_count * sizeof *edge_of_side + 1);
+    int32_t *edge_of_side = calloc(side_count + 1, sizeof *edge_of_side);
     int32_t *fan = malloc((size_t)polygons->vertex_count * sizeof *fan + 1);
     int result =
         twin && edge_of_side && fan
@@ -276,7 +277,8 @@ int winged_edge_to_mesh(const struct winged_edge_mesh *we, struct mesh *mesh, st
                 continue;
         }
         mesh_release(mesh);
-        return error_set(err, "face %d is no triangle", f);
+        error_set(err, "face %d is no triangle", f);
+        return -1;
     }
     return 0;
 }
