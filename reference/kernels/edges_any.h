@@ -1,9 +1,22 @@
 /* Edge table of any mesh (the course's problem 4.5 a): open, of any orientation, non-manifold.
  *
- * Output   pairs of int32_t (i, j), i < j, each edge once: by i; among equal i in the order of the
- *          triangles that use them first; in one triangle the smaller j first. A side that joins a
- *          vertex to itself is no edge.
- * Cost     linear in vertices and triangles, whatever the valences and the numbering */
+ * Output   pairs of int32_t (i, j), i < j, each edge once: by i; among equal i in the order of
+ *          the triangles that use them first; in one triangle the smaller j first. A side that
+ *          joins a vertex to itself is no edge.
+ * Scratch  rows of 65 bytes a vertex, and room for high valences that is seldom touched. A
+ *          large scattered mesh uses the rows of a thousand vertices at a time, and the output
+ *          as work space before it is one.
+ * Cost     linear in vertices and triangles, whatever the valences and the numbering. 6 ns a
+ *          triangle ordered and 16 scrambled with AVX-512, 12 and 24 in plain C (2M triangles,
+ *          Zen 4)
+ * Source   buckets by the smaller vertex are the textbook's; rows that take everything and are
+ *          looked through once at the end (neighbour_rows.h), and the sorting into parts, are
+ *          ours
+ * Rejected counting sort by the smaller vertex (10 and 44 ns); search before adding (8 to 9
+ *          and 24 to 78); a hash of the edges (15 and 38, on another machine); proof by a
+ *          signed sum of hashes that the mesh is closed and coherent (1.8), which two sides
+ *          each way of a non-manifold edge deceive; matching within the last triangles (4.6),
+ *          which needs a manifold too */
 #ifndef REFERENCE_KERNELS_EDGES_ANY_H
 #define REFERENCE_KERNELS_EDGES_ANY_H
 
