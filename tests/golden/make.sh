@@ -10,3 +10,5 @@ ${CXX:-c++} -std=c++17 -O1 -Wall -Wextra tests/golden/compare.cpp \
     $(pkg-config --cflags --libs OpenImageIO) -o "$out/compare"
 "$out/scenes" "$out"
 build/meshgrade-render "$out/job.json"
+tests/golden/figures.sh "$out"
+build/meshgrade-render "$out/figures.json"

@@ -41,6 +41,14 @@ cp "$out/edges.png" "$out/first.png.kept"
 build/meshgrade-render "$out/job.json"
 check "drawing again gives the same bytes" cmp "$out/edges.png" "$out/first.png.kept"
 
+# VTK once drew letters of another weight after it had opened many sizes of a font.
+sizes=$(for height in $(seq 400 40 1100); do
+    printf '{"scene": "figure-heatmap.json", "out": "size-%d.png", "width": 320, "height": %d},' "$height" "$height"
+done)
+job sizes.json "{\"pictures\": [{\"scene\": \"figure-bars.json\", \"out\": \"size-0.png\", \"width\": 480, \"height\": 360}, $sizes {\"scene\": \"figure-panels.json\", \"out\": \"last.png\", \"width\": 480, \"height\": 360}]}"
+check "letters do not depend on what was drawn before" cmp "$out/last.png" "$out/figure-panels.png"
+rm -f "$out"/size-*.png
+
 job formats.json '{"pictures": [
   {"scene": "marks.json", "out": "f.exr", "width": 200, "height": 150},
   {"scene": "marks.json", "out": "f.tif", "width": 200, "height": 150},
