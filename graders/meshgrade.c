@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <jansson.h>
 #include <locale.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,17 +30,51 @@ static void print_usage(FILE *to)
                 "wrong usage\n");
 }
 
+/* Safe in a signal handler and without memory. */
+_Noreturn static void end_with(const char *words, size_t count)
+{
+    ssize_t written = write(STDERR_FILENO, words, count);
+    (void)written;
+    _exit(EXIT_FAULT);
+}
+
 /* A value that lacks a part for want of memory would be a wrong mark, and jansson cannot be asked
  * whether it does. So want of memory in it ends this process: a worker's end is a fault. */
 static void *allocate_or_end(size_t bytes)
 {
     static const char words[] = "meshgrade: out of memory\n";
     void *block = malloc(bytes);
-    if (block)
-        return block;
-    if (write(STDERR_FILENO, words, sizeof words - 1) < 0)
-        _exit(EXIT_FAULT);
-    _exit(EXIT_FAULT);
+    if (!block)
+        end_with(words, sizeof words - 1);
+    return block;
+}
+
+static pid_t own_pid;
+
+/* A crash of the grader is a fault like any other. Its children (judges, boxes) keep the default,
+ * so that their parent sees what they died of. */
+static void tell_crash(int signal_number)
+{
+    static const char words[] = "meshgrade: the grader itself crashed, or memory ran out in a "
+                                "library; nothing was marked\n";
+    if (getpid() != own_pid) {
+        signal(signal_number, SIG_DFL); /* returning repeats the crash */
+        return;
+    }
+    end_with(words, sizeof words - 1);
+}
+
+static void watch_crashes(void)
+{
+    static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGABRT};
+    static char stack[1 << 16];
+    const stack_t own_stack = {.ss_sp = stack, .ss_size = sizeof stack};
+    struct sigaction present, ours = {.sa_handler = tell_crash, .sa_flags = SA_ONSTACK};
+    own_pid = getpid();
+    sigaltstack(&own_stack, NULL);
+    for (size_t i = 0; i < sizeof crashes / sizeof *crashes; i++)
+        if (sigaction(crashes[i], NULL, &present) == 0 && present.sa_handler == SIG_DFL)
+            sigaction(crashes[i], &ours, NULL); /* a sanitizer's stays */
 }
 
 /* What was printed may not have arrived: a full disk, a closed pipe. */
@@ -53,6 +88,7 @@ static int close_output(int code)
 
 int main(int argc, char **argv)
 {
+    watch_crashes();
     json_set_alloc_funcs(allocate_or_end, free);
     setlocale(LC_CTYPE, "C.UTF-8"); /* for the width of characters; numbers stay as in C */
     const char *name = argc > 1 ? argv[1] : "";

@@ -32,6 +32,11 @@ ok "a result that cannot be written is a fault" [ $? -eq 2 ]
 ok "also as text" [ $? -eq 2 ]
 ok "which says so" matches "$scratch/err" 'could not be written'
 
+# -- a crash of the grader itself (grading takes half a second of CPU time at least)
+timeout --foreground --preserve-status -s SEGV 0.1 "$meshgrade" check euler-closed-mesh --all "$answer" >"$scratch/out" 2>"$scratch/err"
+ok "a crash of the grader is a fault" [ $? -eq 2 ]
+ok "which says so" matches "$scratch/err" '^meshgrade: .*crashed'
+
 # -- what cannot be read
 if [ "$(id -u)" -eq 0 ] && setpriv --reuid 65534 --regid 65534 --clear-groups test -r "$meshgrade"; then
     chmod 755 "$scratch"

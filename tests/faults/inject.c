@@ -202,6 +202,7 @@ size_t fwrite(const void *bytes, size_t size, size_t count, FILE *file)
     if (!strikes(CALL_WRITE))
         return REAL(fwrite)(bytes, size, count, file);
     errno = ENOSPC;
+    file->_flags |= _IO_ERR_SEEN; /* what ferror tells */
     return 0;
 }
 
