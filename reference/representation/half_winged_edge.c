@@ -24,7 +24,7 @@ static int allocate(struct half_winged_edge_mesh *hw, int64_t vertex_count, int6
         return error_set(err, "%lld half edges are more than an int32 can number",
                          (long long)half_edge_count);
     hw->positions = malloc(3 * (size_t)vertex_count * sizeof *hw->positions + 1);
-    hw->vertex_half_edge = malloc((size_t)vertex_count * sizeof *hw->vertex_half_edge + 1);
+    hw->vertex_half_edge = calloc((size_t)vertex_count + 1, sizeof *hw->vertex_half_edge);
     hw->face_half_edge = malloc((size_t)face_count * sizeof *hw->face_half_edge + 1);
     hw->half_edges = calloc((size_t)half_edge_count + 1, sizeof *hw->half_edges);
     if (!hw->positions || !hw->vertex_half_edge || !hw->face_half_edge || !hw->half_edges) {
@@ -143,10 +143,11 @@ int half_winged_edge_build(struct half_winged_edge_mesh *hw, const struct polygo
                         .twin = malloc(side_count * sizeof *plan.twin + 1),
                         .number_of_side = calloc(side_count + 1, sizeof *plan.number_of_side),
                         .fan = malloc((size_t)polygons->vertex_count * sizeof *plan.fan + 1)};
-    int result =
-        plan.twin && plan.number_of_side && plan.fan
-            ? build(hw, &plan, positions, err)
-            : error_set(err, "out of memory: half edges of %d faces", polygons->face_count);
+    int result = -1;
+    if (plan.twin && plan.number_of_side && plan.fan)
+        result = build(hw, &plan, positions, err);
+    else
+        error_set(err, "out of memory: half edges of %d faces", polygons->face_count);
     if (result == 0) {
         fill_attributes(hw, &plan, normals, textures);
         if (!normals)
