@@ -1,7 +1,10 @@
 /* Answers that do not depend on order; see answers.h. */
 #include "bench/compare/answers.h"
 
+#include "reference/kernels/vertex_cache.h"
+
 #include <math.h>
+#include <stdlib.h>
 
 /* splitmix64's finaliser: sums of it over a set tell sets apart. */
 static uint64_t mix(uint64_t x)
@@ -65,6 +68,24 @@ void answer_neighbours(struct worker_answer *answer, const int32_t *neighbours,
     }
     answer->hash = sum | 1;
     answer_count(answer, met);
+}
+
+void answer_strips(struct worker_answer *answer, int64_t index_count)
+{
+    worker_fact(answer, "indices", (double)index_count);
+}
+
+void answer_order(struct worker_answer *answer, int32_t *triangles, int32_t triangle_count,
+                  int32_t vertex_count)
+{
+    const struct mesh mesh = {
+        .triangles = triangles, .triangle_count = triangle_count, .vertex_count = vertex_count};
+    int64_t *scratch = malloc((size_t)vertex_count * sizeof *scratch + 1);
+    answer_count(answer, triangle_count);
+    if (scratch)
+        worker_fact(answer, "cache_misses",
+                    (double)vertex_cache_misses(&mesh, VERTEX_CACHE_SIZE, scratch));
+    free(scratch);
 }
 
 int answers_agree(const struct worker_answer *left, const struct worker_answer *right)

@@ -34,6 +34,13 @@ void answer_count(struct worker_answer *answer, int64_t count);
 void answer_neighbours(struct worker_answer *answer, const int32_t *neighbours,
                        int64_t triangle_count);
 
+/* What strips or an order of triangles are worth: facts `indices` and `cache_misses` (vertices that
+ * a first-in-first-out cache of 16 does not hold when they are used). triangles: 3 a triangle, on
+ * vertices 0 ... vertex_count - 1. Out of memory leaves the fact out. */
+void answer_strips(struct worker_answer *answer, int64_t index_count);
+void answer_order(struct worker_answer *answer, int32_t *triangles, int32_t triangle_count,
+                  int32_t vertex_count);
+
 /* Whether two programs agree: equal hashes where both have one, equal values where both have one.
  * Returns 1: they agree, 0: they differ, -1: they have nothing that can be compared. */
 int answers_agree(const struct worker_answer *left, const struct worker_answer *right);

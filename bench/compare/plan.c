@@ -174,7 +174,7 @@ static const char *operations_of(unsigned what)
 {
     if (what == BENCH_KERNELS)
         return " edges-closed edges-any twins area face-normals vertex-normals stripify "
-               "vertex-cache ";
+               "vertex-cache vertex-fetch ";
     if (what == BENCH_PAPER)
         return " circulator barycentre normals smoothing subdivision collapse ";
     return what == BENCH_READERS ? " read-ply-binary read-ply-ascii read-obj read-off " : NULL;

@@ -56,6 +56,10 @@ static int answer_call(void *context, struct worker_answer *answer, struct error
         answer_area(answer, *(const double *)call->output);
     else if (strstr(name, "normals"))
         answer_normals(answer, call->output, call->record_count);
+    else if (strcmp(name, "stripify") == 0)
+        answer_strips(answer, call->record_count);
+    else if (strcmp(name, "vertex-cache") == 0)
+        answer_order(answer, call->output, mesh->triangle_count, mesh->vertex_count);
     else
         answer_count(answer, call->record_count);
     worker_fact(answer, "records", (double)call->record_count);

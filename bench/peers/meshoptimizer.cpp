@@ -12,6 +12,13 @@ struct state {
     std::vector<unsigned int> indices, ordered, strip;
     std::size_t vertex_count = 0, strip_count = 0;
 
+    void order()
+    {
+        ordered.resize(indices.size());
+        meshopt_optimizeVertexCacheFifo(ordered.data(), indices.data(), indices.size(),
+                                        vertex_count, 16);
+    }
+
     // As its manual says: first an order for the vertex cache that suits strips, then the strips,
     // with restarts.
     void stripify()
@@ -35,7 +42,16 @@ std::vector<peer::operation> make(const snapshot &snapshot, const std::string &)
              [s] { s->stripify(); },
              {},
              [s](worker_answer &answer) {
-                 worker_fact(&answer, "indices", static_cast<double>(s->strip_count));
+                 answer_strips(&answer, static_cast<std::int64_t>(s->strip_count));
+             }},
+            {"vertex-cache",
+             [s] { s->order(); },
+             {},
+             [s](worker_answer &answer) {
+                 std::vector<std::int32_t> triangles(s->ordered.begin(), s->ordered.end());
+                 answer_order(&answer, triangles.data(),
+                              static_cast<std::int32_t>(triangles.size() / 3),
+                              static_cast<std::int32_t>(s->vertex_count));
              }}};
 }
 

@@ -152,7 +152,7 @@ std::vector<peer::operation> make(const snapshot &snapshot, const std::string &p
              [s] { s->need_built(), s->stripify(); },
              {},
              [s](worker_answer &answer) {
-                 worker_fact(&answer, "indices", static_cast<double>(s->indices));
+                 answer_strips(&answer, static_cast<std::int64_t>(s->indices));
              }},
             reading(s, "read-ply-binary", ".ply"),
             reading(s, "read-ply-ascii", ".ascii.ply"),

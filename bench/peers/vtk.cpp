@@ -136,9 +136,8 @@ struct state {
     {
         vtkCellArray *strips = result->GetStrips(), *alone = result->GetPolys();
         vtkIdType parts = strips->GetNumberOfCells() + alone->GetNumberOfCells();
-        worker_fact(&answer, "indices",
-                    static_cast<double>(strips->GetNumberOfConnectivityIds() +
-                                        alone->GetNumberOfConnectivityIds() + parts - 1));
+        answer_strips(&answer, strips->GetNumberOfConnectivityIds() +
+                                   alone->GetNumberOfConnectivityIds() + parts - 1);
     }
 
     template <typename Reader> void read(const std::string &extension)
