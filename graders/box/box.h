@@ -43,6 +43,14 @@ enum box_layer {
 /* "user-namespace", "landlock", ...: the names in results and in `doctor`. */
 const char *box_layer_name(enum box_layer layer);
 
+/* Plays a machine that lacks some layers: from now on no box of this process has them, each says
+ * "switched off" as the reason, and what is refused on such a machine is refused here. For tests;
+ * only a caller of the program can ask for it (`--without`), and every result tells.
+ *
+ * list     names of layers, with commas between: "landlock,cgroup-pids"
+ * returns  0, or -1 and *err: no such layer */
+int box_switch_off(const char *list, struct error *err) MUST_CHECK;
+
 /* BOX_RUN: a static program that computes; some 50 system calls, no files, no processes.
  * BOX_TOOLS: valgrind or a sanitized program; read-only /usr /lib /lib64 /bin, private /proc and
  * /tmp, no processes. BOX_BUILD: gcc, ld, objcopy; as TOOLS, but with processes and without /proc.
@@ -67,6 +75,10 @@ struct box_plan {
                                              places, NULL-terminated; none in RUN */
     const char *writable;                 /* host's folder that becomes /work, or NULL; none in RUN.
                                              Prepare it with box_give_folder */
+    bool given_files_only;                /* TOOLS: of what lies in `writable` the program may write
+                                             files, but make, remove and rename none (Landlock; and
+                                             the folder's owner, when box_give_folder was not
+                                             called) */
     const char *working_folder;           /* relative to /work, or absolute; NULL: /work, or / */
     int passed[BOX_PASSED_LIMIT];         /* descriptors that the program gets as 3, 4, 5, ... */
     int passed_count;

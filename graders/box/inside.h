@@ -77,6 +77,9 @@ struct inside {
 
 /* ---- layers.c */
 bool layer_wanted(const struct box_plan *plan, enum box_layer layer);
+
+/* Whether the plan itself does without the layer, and so takes the risk. */
+bool layer_waived(const struct box_plan *plan, enum box_layer layer);
 bool layer_active(const struct report *report, enum box_layer layer);
 void layer_works(struct report *report, enum box_layer layer);
 

@@ -28,9 +28,35 @@ const char *box_layer_name(enum box_layer layer)
     return (unsigned)layer < BOX_LAYER_COUNT ? names[layer] : "unknown";
 }
 
+/* Layers that this process does without: a machine that lacks them is being played. */
+static uint32_t switched_off;
+
+int box_switch_off(const char *list, struct error *err)
+{
+    const char *at = list;
+    while (*at) {
+        size_t length = strcspn(at, ",");
+        int layer = 0;
+        while (layer < BOX_LAYER_COUNT &&
+               (strlen(names[layer]) != length || strncmp(names[layer], at, length) != 0))
+            layer++;
+        if (layer == BOX_LAYER_COUNT)
+            return error_set(err, "there is no protection \"%.*s\"; see meshgrade doctor",
+                             (int)length, at);
+        switched_off |= 1u << layer;
+        at += length + (at[length] == ',');
+    }
+    return 0;
+}
+
 bool layer_wanted(const struct box_plan *plan, enum box_layer layer)
 {
-    return !(plan->disabled_layers >> layer & 1);
+    return !((plan->disabled_layers | switched_off) >> layer & 1);
+}
+
+bool layer_waived(const struct box_plan *plan, enum box_layer layer)
+{
+    return plan->disabled_layers >> layer & 1;
 }
 
 bool layer_active(const struct report *report, enum box_layer layer)

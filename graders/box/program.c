@@ -95,20 +95,27 @@ static void settle(struct inside *inside)
         personality(ADDR_NO_RANDOMIZE);
 }
 
+static const char *without_seccomp(const struct report *report)
+{
+    static char text[120];
+    snprintf(text, sizeof text, "nothing is run without seccomp: %s", report->reason[BOX_SECCOMP]);
+    return text;
+}
+
 /* The layers without which no program of others is started. NULL: all is well. */
 static const char *missing_layer(const struct inside *inside)
 {
     const struct box_plan *plan = inside->plan;
     const struct report *report = &inside->report;
-    if (layer_wanted(plan, BOX_SECCOMP) && !layer_active(report, BOX_SECCOMP))
-        return report->reason[BOX_SECCOMP];
+    if (!layer_waived(plan, BOX_SECCOMP) && !layer_active(report, BOX_SECCOMP))
+        return without_seccomp(report);
     /* A root that has no other id, as in a container of one user: harmless without capabilities,
      * and no_new_privs keeps exec from giving them back. */
     if (getuid() == 0 && !layer_active(report, BOX_NO_NEW_PRIVILEGES))
         return "the program would run with root's capabilities";
     bool may_see_host =
-        !layer_wanted(plan, BOX_LANDLOCK) &&
-        !(layer_wanted(plan, BOX_PRIVATE_ROOT) && layer_wanted(plan, BOX_MOUNT_NAMESPACE));
+        layer_waived(plan, BOX_LANDLOCK) &&
+        (layer_waived(plan, BOX_PRIVATE_ROOT) || layer_waived(plan, BOX_MOUNT_NAMESPACE));
     if (plan->profile != BOX_RUN && !may_see_host && !layer_active(report, BOX_PRIVATE_ROOT) &&
         !layer_active(report, BOX_LANDLOCK))
         return "the program would see the host's files: neither private root nor Landlock";

@@ -11,7 +11,7 @@
 
 struct request {
     bool quick, json, all, times;
-    const char *only_case, *language, *picture_folder;
+    const char *only_case, *language, *without;
 };
 
 static int exit_code_of(const json_t *result)
@@ -129,6 +129,8 @@ static int run(int argc, char **argv)
         {"case", 0, "NAME", "only this case", &request.only_case, NULL},
         {"lang", 0, "en|es", "language of the report (default: by LANG)", &request.language, NULL},
         {"json", 0, NULL, "the result as JSON", NULL, &request.json},
+        {"without", 0, "LAYERS", "leave protections out, to test the others (see doctor)",
+         &request.without, NULL},
         {"times", 0, NULL, "the CPU time of each step, to stderr", NULL, &request.times},
         {0}};
     struct exercise *exercises = NULL;
@@ -138,6 +140,8 @@ static int run(int argc, char **argv)
         fprintf(stderr, "usage: meshgrade check [options] EXERCISE FILE...\n");
         return EXIT_USAGE;
     }
+    if (use_layers(request.without) != 0)
+        return EXIT_USAGE;
     if (load_exercises(&exercises, &count) != 0)
         return EXIT_FAULT;
     const struct exercise *exercise = need_exercise(exercises, count, argv[at]);

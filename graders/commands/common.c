@@ -1,6 +1,7 @@
 /* What several commands share; see common.h. */
 #include "graders/commands/common.h"
 
+#include "graders/box/box.h"
 #include "graders/commands/options.h"
 #include "graders/engine/files.h"
 
@@ -41,6 +42,15 @@ const struct exercise *need_exercise(const struct exercise *exercises, int count
     if (!exercise)
         fprintf(stderr, "meshgrade: there is no exercise \"%s\"; see meshgrade list\n", name);
     return exercise;
+}
+
+int use_layers(const char *without)
+{
+    struct error err = {""};
+    if (!without || box_switch_off(without, &err) == 0)
+        return 0;
+    report_fault(&err);
+    return -1;
 }
 
 struct terminal_style style_for(FILE *stream, const char *language)

@@ -15,6 +15,10 @@ int load_exercises(struct exercise **exercises, int *count);
 /* The exercise of that name, or NULL after saying that there is none. */
 const struct exercise *need_exercise(const struct exercise *exercises, int count, const char *name);
 
+/* What --without asks for: boxes without these layers; NULL: all layers. Says what is wrong and
+ * returns -1. */
+int use_layers(const char *without);
+
 /* Colour only on a terminal and without NO_COLOR; language "en" or "es", NULL: by LANG. */
 struct terminal_style style_for(FILE *stream, const char *language);
 

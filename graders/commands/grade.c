@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 struct request {
-    const char *out, *jobs, *exercise, *only;
+    const char *out, *jobs, *exercise, *only, *without;
     bool regrade, apply, no_pictures, json;
 };
 
@@ -173,6 +173,8 @@ static int run(int argc, char **argv)
         {"apply", 0, NULL, "with --rejudge: store the changes", NULL, &request.apply},
         {"no-pictures", 0, NULL, "leave the pictures for meshgrade report", NULL,
          &request.no_pictures},
+        {"without", 0, "LAYERS", "leave protections out, to test the others (see doctor)",
+         &request.without, NULL},
         {"json", 0, NULL, "the results as JSON instead of the table", NULL, &request.json},
         {0}};
     struct exercise *exercises = NULL;
@@ -182,6 +184,8 @@ static int run(int argc, char **argv)
         fprintf(stderr, "usage: meshgrade grade [options] PATH... -o FOLDER\n");
         return EXIT_USAGE;
     }
+    if (use_layers(request.without) != 0)
+        return EXIT_USAGE;
     if (load_exercises(&exercises, &count) != 0)
         return EXIT_FAULT;
     if (!request.exercise || need_exercise(exercises, count, request.exercise))
