@@ -24,6 +24,7 @@
 #include <valgrind/memcheck.h>
 
 enum {
+    EXIT_MEASURED_TWICE = 98,
     PAGE = 4096,
     PAINTED_BYTES = 12 << 20,
     PAINT_GAP_BYTES = 512 /* the painting function's own frame */
@@ -108,8 +109,20 @@ __attribute__((noinline)) static int64_t painted_over_bytes(void)
 
 /* ----------------------------------------------------------------- measure */
 
+/* A submission can find the calls around its own, and end the measurement early or begin it anew.
+ * One pair a call, in this order, or the program ends here. */
+static enum { NOT_MEASURED, MEASURING, MEASURED } measurement;
+
+static void pass_measurement(int from, int to)
+{
+    if ((int)measurement != from)
+        _exit(EXIT_MEASURED_TWICE);
+    measurement = to;
+}
+
 void measure_begin(void)
 {
+    pass_measurement(NOT_MEASURED, MEASURING);
     control->phase = PHASE_CALL;
     if (fixed.mode & MODE_PAINT_STACK)
         paint_stack();
@@ -120,6 +133,7 @@ void measure_begin(void)
 
 void measure_end(void)
 {
+    pass_measurement(MEASURING, MEASURED);
     if (fixed.mode & MODE_COUNT)
         CALLGRIND_TOGGLE_COLLECT;
     shim_end();
@@ -186,6 +200,7 @@ static void do_call(void)
     forget_last_call();
     fence_input(input_bytes);
     run_call(&input, &answer);
+    pass_measurement(MEASURED, NOT_MEASURED);
     fflush(stdout);
     if (fixed.mode & MODE_MEMCHECK) {
         size_t written = answer.count < answer.capacity ? answer.count : answer.capacity;
