@@ -26,10 +26,10 @@ const char *const calls_tools[] = {
     "fstat", "lstat", "newfstatat", "statx", "statfs", "fstatfs", "access", "faccessat",
     "faccessat2", "readlink", "readlinkat", "getdents", "getdents64", "getcwd", "chdir", "fchdir",
     "rename", "renameat", "renameat2", "mkdir", "mkdirat", "rmdir", "unlink", "unlinkat", "link",
-    "linkat", "symlink", "symlinkat", "chmod", "fchmod", "fchmodat", "fchmodat2", "umask", "utime",
-    "utimes", "utimensat", "futimesat", "truncate", "ftruncate", "fallocate", "fsync", "fdatasync",
-    "sync_file_range", "fadvise64", "copy_file_range", "sendfile", "flock", "dup", "dup2", "dup3",
-    "pipe", "pipe2", "poll", "ppoll", "select", "pselect6",
+    "linkat", "symlink", "symlinkat", "umask", "utime", "utimes", "utimensat", "futimesat",
+    "truncate", "ftruncate", "fallocate", "fsync", "fdatasync", "sync_file_range", "fadvise64",
+    "copy_file_range", "sendfile", "flock", "dup", "dup2", "dup3", "pipe", "pipe2", "poll", "ppoll",
+    "select", "pselect6",
     /* memory */
     "brk", "mmap", "munmap", "mremap", "mprotect", "madvise", "msync", "mincore", "mlock",
     "munlock", "memfd_create", "membarrier",
@@ -42,13 +42,15 @@ const char *const calls_tools[] = {
     "setpgid", "getpgid", "getpgrp", "getsid",
     /* time */
     "clock_gettime", "clock_getres", "gettimeofday", "time", "times", "getrusage", "nanosleep",
-    "clock_nanosleep", "sched_yield", "setitimer", "getitimer", "alarm",
+    "clock_nanosleep", "sched_yield",
     /* what it and the machine are */
     "getpid", "gettid", "getppid", "getuid", "geteuid", "getgid", "getegid", "getresuid",
     "getresgid", "getgroups", "uname", "sysinfo", "getcpu", "sched_getaffinity", "sched_getparam",
     "sched_getscheduler", "getpriority", "getrlimit", "setrlimit", "getrandom", NULL};
 
-const char *const calls_processes[] = {"fork", "vfork", NULL};
+/* Compilers and linkers start each other, and make what they have written executable. */
+const char *const calls_processes[] = {"fork",     "vfork",     "chmod", "fchmod",
+                                       "fchmodat", "fchmodat2", NULL};
 
 /* No tool makes these for honest work. Calls in no list are answered ENOSYS, as on an older kernel:
  * tools of later years may try new calls and then do without. */
@@ -66,6 +68,8 @@ const char *const calls_forbidden[] = {
     "mount", "umount2", "move_mount", "open_tree", "fsopen", "fsconfig", "fsmount", "fspick",
     "mount_setattr", "pivot_root", "chroot", "unshare", "setns", "open_by_handle_at",
     "name_to_handle_at",
+    /* work that a timer begins, after the measured call */
+    "setitimer", "alarm", "timerfd_create",
     /* shared memory and queues outside of files */
     "shmget", "shmat", "semget", "msgget", "mq_open",
     /* the machine */

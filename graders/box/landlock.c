@@ -87,8 +87,10 @@ static const char *allow_files(const struct inside *inside, int ruleset, uint64_
         if (allow_path(ruleset, plan->readable[i], ACCESS_RUN))
             return plan->readable[i];
     uint64_t write = all & ~(uint64_t)LANDLOCK_ACCESS_FS_EXECUTE;
-    if (inside->work_fd >= 0 &&
-        allow_fd(ruleset, SLOT_WORK, plan->profile == BOX_TOOLS ? all : write))
+    uint64_t work = plan->profile == BOX_TOOLS ? all : write;
+    if (plan->given_files_only)
+        work &= ACCESS_RUN | LANDLOCK_ACCESS_FS_WRITE_FILE | ACCESS_TRUNCATE;
+    if (inside->work_fd >= 0 && allow_fd(ruleset, SLOT_WORK, work))
         return "/work";
     if (allow_path(ruleset, "/dev/null",
                    LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE))

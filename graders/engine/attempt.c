@@ -182,6 +182,7 @@ int attempt_judge(const struct yardstick *yardstick, const struct input *input,
         return error_set(err, "out of memory for an answer of %zu bytes", count);
     memcpy(copy, session->answer.bytes, count);
     struct usage usage = usage_of(&attempt->claims);
+    usage.known = !attempt->uncounted;
     struct examination examination;
     int result = examine(yardstick->judge, (struct span){input->region.bytes, input->bytes},
                          (struct span){copy, count}, &usage, &examination, err);

@@ -16,6 +16,7 @@ struct attempt {
     char message[JUDGEMENT_TEXT], message_es[JUDGEMENT_TEXT];
     json_t *scene;         /* may be NULL; owned */
     struct control claims; /* of the call; all zero when it never came back */
+    bool uncounted;        /* the program has no allocation shim: the judge hears of no usage */
     int64_t cpu_ns;        /* charged to the call */
     struct box_outcome outcome;
     char output[ATTEMPT_OUTPUT]; /* what it printed, untrusted */

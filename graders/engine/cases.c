@@ -96,3 +96,11 @@ bool trial_basic_class_passed(const struct trial *trial)
     }
     return any;
 }
+
+bool trial_any_case_failed(const struct trial *trial)
+{
+    for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
+        if (trial->cases[i].run && trial->cases[i].attempt.verdict != VERDICT_PASSED)
+            return true;
+    return false;
+}

@@ -97,15 +97,12 @@ static int measure_hidden(const struct range *range, const struct build *build,
     return 0;
 }
 
-static int read_memory(const struct series *series, int part, struct cost *cost, struct error *err)
+static void read_memory(const struct series *series, struct cost *cost)
 {
     const struct control *claims = &series->session.claims;
-    (void)part;
-    (void)err;
     cost->heap_peak_bytes = claims->heap_peak_bytes;
     cost->allocation_count = claims->allocation_count;
     cost->stack_bytes = claims->stack_bytes;
-    return 0;
 }
 
 static int read_counts(const struct series *series, int part, struct cost *cost, struct error *err)
@@ -126,6 +123,16 @@ static int read_counts(const struct series *series, int part, struct cost *cost,
     return 0;
 }
 
+/* The dump lies in a folder where the submission can write too: one that cannot be read may be its
+ * doing as well as ours, and gives no mark either way. */
+static void blame_dump(const struct error *why, struct attempt *failure)
+{
+    attempt_say(failure, VERDICT_FLAGGED, "no-counts",
+                "The counts of your work could not be read (%.200s): a person must look.",
+                "No se pudieron leer las cuentas de su trabajo (%.200s): debe mirarlo una persona.",
+                why->text);
+}
+
 static bool is_hopeless(const struct cost *costs, const struct cost *reference, int i, int first)
 {
     if (!reference || !costs[i].counted || i < first + SIZES_BEFORE_HOPELESS - 1)
@@ -137,7 +144,7 @@ static bool is_hopeless(const struct cost *costs, const struct cost *reference, 
     return ratio > HOPELESS_RATIO && rise > HOPELESS_RISE;
 }
 
-/* The common course of both measurements: `read` takes what one call has shown. */
+/* The common course of both measurements. */
 static int measure(const struct range *range, const struct build *build, enum series_tool tool,
                    const struct cost *reference, struct cost *costs, struct count_run *run,
                    struct error *err)
@@ -153,10 +160,15 @@ static int measure(const struct range *range, const struct build *build, enum se
                      : measure_one(range, &series, i, limits, run, err);
         if (result != 0 || series.end != CALL_ANSWERED || run->failure.verdict != VERDICT_PASSED)
             break;
-        result = (tool == SERIES_PLAIN ? read_memory : read_counts)(&series, i - range->first + 1,
-                                                                    &costs[i], err);
-        run->done += result == 0;
-        run->hopeless = result == 0 && is_hopeless(costs, reference, i, range->first);
+        struct error unread = {""};
+        if (tool == SERIES_PLAIN)
+            read_memory(&series, &costs[i]);
+        else if (read_counts(&series, i - range->first + 1, &costs[i], &unread) != 0)
+            blame_dump(&unread, &run->failure);
+        if (unread.text[0])
+            break;
+        run->done++;
+        run->hopeless = is_hopeless(costs, reference, i, range->first);
     }
     if (series.started && series_end(&series, &run->failure, err) != 0)
         result = -1;

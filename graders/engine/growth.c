@@ -6,7 +6,8 @@
 
 enum {
     MEMORY_FLOOR_BYTES = 4096, /* so that a reference that allocates nothing can be divided by */
-    EXTRA_DOUBLINGS = 2
+    EXTRA_DOUBLINGS = 2,
+    TIME_TO_COUNT = 30 /* no honest program comes near: see check_counts */
 };
 
 static const enum check_kind sized_checks[] = {CHECK_GROWTH, CHECK_WORK, CHECK_MEMORY};
@@ -14,21 +15,13 @@ enum { SIZED_CHECKS = sizeof sized_checks / sizeof sized_checks[0] };
 
 /* --------------------------------------------------------------- measuring */
 
-static bool any_case_failed(const struct trial *trial)
-{
-    for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
-        if (trial->cases[i].run && trial->cases[i].attempt.verdict != VERDICT_PASSED)
-            return true;
-    return false;
-}
-
 /* A call on a sized input went wrong: no check that rests on it can pass. It is a failure of its
  * own only when every case was right; otherwise the cases tell the mistake, and better. */
 static void blame_failure(struct trial *trial, int family, const struct count_run *run)
 {
     const struct yardstick *yardstick = trial->yardstick;
     const struct attempt *failure = &run->failure;
-    enum verdict verdict = any_case_failed(trial) ? VERDICT_NOT_REACHED : failure->verdict;
+    enum verdict verdict = trial_any_case_failed(trial) ? VERDICT_NOT_REACHED : failure->verdict;
     for (int i = 0; i < SIZED_CHECKS; i++) {
         struct check_result *check = &trial->checks[sized_checks[i]];
         check_say(check, verdict, failure->cause, "With the input %s of size %lld: %s",
@@ -220,6 +213,36 @@ static int judge_work(struct trial *trial, struct error *err)
     return 0;
 }
 
+/* ------------------------------------------------------------ counts and time */
+
+/* Counts come from the submission's own process, which can lie to the tool that counts. Time cannot
+ * be hidden: between honest programs, time and counted cost relate to the reference's within a
+ * factor of some ten. Far beyond that, a person must look. */
+static int check_counts(struct trial *trial, struct error *err)
+{
+    int largest = trial->yardstick->size_count - 1;
+    for (int family = 0; family < trial->yardstick->family_count; family++) {
+        const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
+        const struct callgrind_counts *theirs = &trial->yardstick->costs[family][largest].counts;
+        double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
+        double bound = TIME_TO_COUNT * (ratio > 1 ? ratio : 1);
+        bool denied;
+        if (trial_time_denies(trial, family, largest, bound, &denied, err) != 0)
+            return -1;
+        if (!denied)
+            continue;
+        for (int i = 0; i < SIZED_CHECKS; i++)
+            check_say(&trial->checks[sized_checks[i]], VERDICT_FLAGGED, "time-denies-counts",
+                      "On the inputs %s the counted cost is %.2f times the reference's, but the "
+                      "time more than %.0f times: a person must look.",
+                      "Con las entradas %s el coste contado es %.2f veces el de la referencia, "
+                      "pero el tiempo más de %.0f veces: debe mirarlo una persona.",
+                      trial->yardstick->judge->families[family], ratio, bound);
+        return 0;
+    }
+    return 0;
+}
+
 /* -------------------------------------------------------------------- step */
 
 static void say_not_measured(struct trial *trial)
@@ -252,8 +275,9 @@ int trial_check_growth(struct trial *trial, struct error *err)
         if (count_sizes(trial, family, 0, yardstick->size_count - 1, &right, err) != 0 ||
             (right && judge_growth(trial, family, &right, err) != 0))
             return -1;
-    if (!right || trial->checks[CHECK_GROWTH].verdict != VERDICT_PASSED ||
-        !exercise->checked[CHECK_WORK])
+    if (!right || trial->checks[CHECK_GROWTH].verdict != VERDICT_PASSED)
         return 0;
-    return judge_work(trial, err);
+    if (exercise->checked[CHECK_WORK] && judge_work(trial, err) != 0)
+        return -1;
+    return check_counts(trial, err);
 }

@@ -16,6 +16,9 @@ struct pace {
     int family, size_index;
     struct series reference, submission;
     struct input fresh; /* the mesh of the pair */
+    uint64_t seed;      /* of the first pair's mesh, drawn anew and told to nobody: what a
+                           submission remembers or brings along is of no use. No mark and no count
+                           depends on which meshes they are */
     uint64_t pairs;     /* run so far */
     bool right;         /* whether the last answer was right; after a wrong one, no further pair */
     cpu_set_t before;   /* where the engine may run otherwise */

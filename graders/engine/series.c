@@ -3,14 +3,25 @@
 
 #include "graders/engine/files.h"
 
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 enum { TOOL_MEMORY_BYTES = 1 << 30, CPU_SECONDS = 600, TOOL_ARGUMENTS = 14 };
 
+/* A tool that finds an error ends the program itself, at once, with this code: abort() could be
+ * caught by the program, which would then go on. Signals of faults go to the tool, not to handlers
+ * of the program. */
+#define FOUND "86"
+_Static_assert(SERIES_FOUND == 86, "the tools are told the code as text");
 static const char ASAN_OPTIONS[] =
-    "ASAN_OPTIONS=detect_leaks=0:abort_on_error=1:color=never:allocator_may_return_null=1:"
-    "detect_stack_use_after_return=0";
-static const char UBSAN_OPTIONS[] = "UBSAN_OPTIONS=abort_on_error=1:color=never:print_stacktrace=0";
+    "ASAN_OPTIONS=detect_leaks=0:abort_on_error=0:exitcode=" FOUND ":handle_segv=2:handle_sigbus=2:"
+    "handle_sigfpe=2:color=never:allocator_may_return_null=1:detect_stack_use_after_return=0";
+static const char UBSAN_OPTIONS[] =
+    "UBSAN_OPTIONS=abort_on_error=0:exitcode=" FOUND ":color=never:print_stacktrace=0";
 
 /* How each tool is run. Programs are named relative to /work, so that their counts do not depend on
  * the host's paths. GLIBC_TUNABLES pins libc's choice of string functions: counts then agree
@@ -39,10 +50,32 @@ static const struct {
     [SERIES_MEMCHECK] = {PROGRAM_CHECKED,
                          MODE_MEMCHECK,
                          {"/usr/bin/valgrind", "-q", "--tool=memcheck", "--vgdb=no",
-                          "--leak-check=no", "--num-callers=8", "--error-limit=no", "./checked",
-                          NULL},
+                          "--leak-check=no", "--num-callers=8", "--error-exitcode=" FOUND,
+                          "--exit-on-first-error=yes", "./checked", NULL},
                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp", NULL}},
 };
+
+/* The files that callgrind will dump to, "counts" and one a call, are there before the submission
+ * is, and it can make none itself: so it cannot put something where callgrind then fails to write.
+ * What it writes into them is gone when callgrind opens them. */
+static int make_dumps(const struct series *series, struct error *err)
+{
+    for (int call = 0; call <= SIZES_MAX; call++) {
+        char path[PATH_MAX + 32];
+        size_t used = (size_t)snprintf(path, sizeof path, "%s/counts", series->folder);
+        if (call > 0)
+            snprintf(path + used, sizeof path - used, ".%d", call);
+        int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file < 0 || fchmod(file, 0666) != 0) {
+            error_set(err, "%s: %s", path, strerror(errno));
+            if (file >= 0)
+                close(file);
+            return -1;
+        }
+        close(file);
+    }
+    return 0;
+}
 
 static int make_folder(struct series *series, const struct series_plan *plan, struct error *err)
 {
@@ -51,7 +84,8 @@ static int make_folder(struct series *series, const struct series_plan *plan, st
     if (folder_make_work(series->folder, err) != 0 ||
         build_copy_program(plan->build, tools[plan->tool].program, series->folder, err) != 0)
         return -1;
-    return box_give_folder(series->folder, err);
+    return plan->tool == SERIES_CALLGRIND ? make_dumps(series, err)
+                                          : box_give_folder(series->folder, err);
 }
 
 struct series series_none(void)
@@ -79,6 +113,7 @@ int series_start(struct series *series, const struct series_plan *plan, struct e
         .argv = plain ? NULL : argv,
         .envp = plain ? NULL : envp,
         .work_folder = plain ? NULL : series->folder,
+        .given_files_only = plan->tool == SERIES_CALLGRIND,
         .input = &series->input,
         .answer_bytes = plan->answer_bytes,
         .mode = tools[plan->tool].mode | plan->mode,

@@ -14,6 +14,9 @@ enum series_tool {
     SERIES_MEMCHECK   /* the dynamic program under memcheck; no allocation is counted */
 };
 
+/* Exit code of a program in which a sanitizer or memcheck found an error. */
+enum { SERIES_FOUND = 86 };
+
 /* What to start. Zero it, then fill it. */
 struct series_plan {
     const struct yardstick *yardstick;

@@ -66,6 +66,7 @@ static void fill_box_plan(const struct session *session, const struct session_pl
         .envp = plan->envp,
         .program_fd = plan->program_fd,
         .writable = plan->work_folder,
+        .given_files_only = plan->given_files_only,
         .passed = {session->control_region.fd, plan->input->fd, session->answer.fd},
         .passed_count = 3,
         .input_fd = -1,
@@ -189,8 +190,11 @@ int session_end(struct session *session, struct box_outcome *outcome, struct err
     if (session->alive) {
         atomic_store(&session->control->call_index, CALL_QUIT);
         futex_wake(&session->control->call_index);
-        for (int i = 0; i < QUIT_STEPS && !box_step(&session->box, QUIT_STEP_MS); i++)
-            continue;
+        bool ended = false;
+        for (int i = 0; i < QUIT_STEPS && !ended; i++)
+            ended = box_step(&session->box, QUIT_STEP_MS);
+        if (!ended) /* it will not, or the machine is too busy to let it: that is no fault of ours */
+            box_kill(&session->box);
         session->alive = false;
     }
     box_finish(&session->box, outcome);

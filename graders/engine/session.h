@@ -26,6 +26,7 @@ struct session_plan {
     char *const *argv;           /* BOX_TOOLS: what to run, paths inside the box */
     char *const *envp;           /* NULL: the box's own */
     const char *work_folder;     /* host folder seen as /work, or NULL */
+    bool given_files_only;       /* as in struct box_plan */
     const struct region *input;  /* borrowed for the session's life */
     size_t answer_bytes;         /* capacity of the answer region */
     uint32_t mode;               /* runner_mode flags */

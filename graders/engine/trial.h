@@ -83,6 +83,9 @@ bool trial_case_in_scope(const struct judge_case *c, const struct trial_scope *s
 /* Whether the first class of the exercise passed whole. */
 bool trial_basic_class_passed(const struct trial *trial);
 
+/* Whether a case that was run did not pass. */
+bool trial_any_case_failed(const struct trial *trial);
+
 /* undefined.c: the cases again under ASan and UBSan, then under memcheck. */
 int trial_check_undefined_behaviour(struct trial *trial, struct error *err) MUST_CHECK;
 
@@ -96,5 +99,10 @@ int trial_check_growth(struct trial *trial, struct error *err) MUST_CHECK;
  * times the reference's, by paired runs on the same CPU? Decided by a sequential sign test. */
 int trial_is_slower(struct trial *trial, int family, int size_index, double bound, bool *slower,
                     struct error *err) MUST_CHECK;
+
+/* The same question about a bound that no honest submission comes near, asked of every submission:
+ * one pair of runs within it answers no. Meshes are drawn anew and told to nobody. */
+int trial_time_denies(struct trial *trial, int family, int size_index, double bound, bool *denied,
+                      struct error *err) MUST_CHECK;
 
 #endif

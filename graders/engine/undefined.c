@@ -1,13 +1,12 @@
 /* Looks for undefined behaviour: the small cases again under ASan and UBSan, then, when these find
  * nothing, under valgrind's memcheck, which also sees what is read before it is written.
  *
- * That something was found is told by the way the program ends (sanitizers abort) and by memcheck's
- * error count, never by text; the tool's text only explains. */
+ * That something was found is told by the tool's own exit code and by memcheck's error count, never
+ * by text; the tool's text only explains. */
 #include "graders/engine/series.h"
 #include "graders/engine/trial.h"
 
 #include <ctype.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -87,57 +86,119 @@ static bool is_wanted(const struct trial *trial, size_t index, size_t input_byte
             verdict == VERDICT_CRASH || verdict == VERDICT_UNDEFINED_BEHAVIOUR);
 }
 
-/* Calls the wanted cases from `*next` on until one shows an error or ends the program.
- *
- * found     the case at fault, or -1
- * next      the case to go on with; case_count: all done */
-static int run_series(struct trial *trial, enum series_tool tool, size_t input_limit, size_t *next,
-                      long *found, struct attempt *attempt, struct error *err)
+/* How far one tool has looked, and what it came upon. */
+struct look {
+    enum series_tool tool;
+    size_t input_limit; /* larger inputs are left out */
+    size_t next;        /* the case to go on with */
+    long last;          /* the case called last, -1: none */
+    bool found;         /* an error in the case called last */
+    bool differs;       /* that case passed by itself, and does otherwise under the tool */
+};
+
+static void size_series(const struct trial *trial, const struct look *look,
+                        struct series_plan *plan)
+{
+    for (size_t i = look->next; i < trial->yardstick->judge->case_count; i++) {
+        const struct input *input = &trial->yardstick->cases[i];
+        if (!is_wanted(trial, i, look->input_limit))
+            continue;
+        if (input->bytes > plan->input_bytes)
+            plan->input_bytes = input->bytes;
+        if (input->answer_bound > plan->answer_bytes)
+            plan->answer_bytes = input->answer_bound;
+    }
+}
+
+/* Calls one case. What passed by itself must pass here too: a program that knows the tool and then
+ * keeps still would else seem faultless. */
+static int call_case(const struct trial *trial, struct series *series, struct look *look,
+                     struct attempt *attempt, struct error *err)
+{
+    const struct input *input = &trial->yardstick->cases[look->last];
+    memset(attempt, 0, sizeof *attempt);
+    attempt->uncounted = true;
+    series_call(series, input, 0, &limits, attempt);
+    look->found = attempt->claims.tool_errors > 0;
+    if (series->end != CALL_ANSWERED || look->found ||
+        trial->cases[look->last].attempt.verdict != VERDICT_PASSED)
+        return 0;
+    if (attempt_judge(trial->yardstick, input, &series->session, attempt, err) != 0)
+        return -1;
+    look->differs = attempt->verdict != VERDICT_PASSED &&
+                    !(look->tool == SERIES_MEMCHECK && trial->yardstick->judge->answers_reals);
+    return 0;
+}
+
+/* Calls the wanted cases in one process, until one shows an error, does otherwise than by itself,
+ * or ends the program. */
+static int run_series(struct trial *trial, struct look *look, struct attempt *attempt,
+                      struct error *err)
 {
     size_t case_count = trial->yardstick->judge->case_count;
     struct series series;
     struct series_plan plan = {
-        .yardstick = trial->yardstick, .build = &trial->build, .tool = tool, .cpu = -1};
-    for (size_t i = *next; i < case_count; i++) {
-        const struct input *input = &trial->yardstick->cases[i];
-        if (is_wanted(trial, i, input_limit) && input->bytes > plan.input_bytes)
-            plan.input_bytes = input->bytes;
-        if (is_wanted(trial, i, input_limit) && input->answer_bound > plan.answer_bytes)
-            plan.answer_bytes = input->answer_bound;
-    }
+        .yardstick = trial->yardstick, .build = &trial->build, .tool = look->tool, .cpu = -1};
+    size_series(trial, look, &plan);
     memset(attempt, 0, sizeof *attempt);
-    *found = -1;
     int result = series_start(&series, &plan, err);
-    long last = -1;
-    for (; result == 0 && *next < case_count && *found < 0 && series.end == CALL_ANSWERED;
-         ++*next) {
-        if (!is_wanted(trial, *next, input_limit))
+    for (; result == 0 && look->next < case_count && !look->found && !look->differs &&
+           series.end == CALL_ANSWERED;
+         look->next++) {
+        if (!is_wanted(trial, look->next, look->input_limit))
             continue;
-        last = (long)*next;
-        series_call(&series, &trial->yardstick->cases[last], 0, &limits, attempt);
-        if (attempt->claims.tool_errors > 0)
-            *found = last;
+        attempt_release(attempt);
+        look->last = (long)look->next;
+        result = call_case(trial, &series, look, attempt, err);
     }
+    bool died = series.end != CALL_ANSWERED;
     if (series.started && series_end(&series, attempt, err) != 0)
         result = -1;
-    if (tool == SERIES_SANITIZER && attempt->outcome.end == BOX_ENDED_SIGNAL &&
-        attempt->outcome.signal == SIGABRT)
-        *found = last;
+    if (attempt->outcome.end == BOX_ENDED_EXIT && attempt->outcome.exit_code == SERIES_FOUND)
+        look->found = look->last >= 0;
+    else if (died && trial->cases[look->last].attempt.verdict == VERDICT_PASSED)
+        look->differs = true;
     series_release(&series);
     return result;
 }
 
-static int look(struct trial *trial, enum series_tool tool, size_t input_limit, struct error *err)
+/* Tools cost time and memory themselves: a program that runs out of either under them has not been
+ * looked at, which gives no points. Any other difference is for a person to look at, unless a case
+ * tells the mistake already. */
+static void report_difference(struct trial *trial, const struct look *look, const char *tool,
+                              const struct attempt *attempt)
+{
+    const char *name = trial->yardstick->judge->cases[look->last].name;
+    const char *verdict = verdict_name(attempt->verdict);
+    struct check_result *check = &trial->checks[CHECK_UNDEFINED_BEHAVIOUR];
+    if (attempt->verdict == VERDICT_CPU_TIME || attempt->verdict == VERDICT_OUT_OF_MEMORY)
+        check_say(check, VERDICT_NOT_MEASURED, "too-much-for-tool",
+                  "In case %s %s could not look at it to the end: %s.",
+                  "En el caso %s, %s no pudo examinarlo hasta el final: %s.", name, tool, verdict);
+    else
+        check_say(check, trial_any_case_failed(trial) ? VERDICT_NOT_MEASURED : VERDICT_FLAGGED,
+                  "behaves-differently",
+                  "Case %s passes, but under %s it ends otherwise (%s): a person must look.",
+                  "El caso %s es correcto, pero con %s acaba de otro modo (%s): debe mirarlo una "
+                  "persona.",
+                  name, tool, verdict);
+}
+
+static int look_with(struct trial *trial, enum series_tool tool, size_t input_limit,
+                     struct error *err)
 {
     bool sanitizer = tool == SERIES_SANITIZER;
-    long found = -1;
-    for (size_t next = 0; next < trial->yardstick->judge->case_count && found < 0;) {
+    const char *name = sanitizer ? "the sanitizer" : "valgrind";
+    struct look look = {.tool = tool, .input_limit = input_limit, .last = -1};
+    while (look.next < trial->yardstick->judge->case_count && !look.found && !look.differs) {
         struct attempt attempt;
         char text[240];
-        int result = run_series(trial, tool, input_limit, &next, &found, &attempt, err);
-        if (result == 0 && found >= 0) {
+        int result = run_series(trial, &look, &attempt, err);
+        if (result == 0 && look.found) {
             (sanitizer ? explain_sanitizer : explain_memcheck)(attempt.output, text, sizeof text);
-            report(trial, (size_t)found, sanitizer ? "the sanitizer" : "valgrind", text);
+            report(trial, (size_t)look.last, name, text);
+        } else if (result == 0 && look.differs) {
+            report_difference(trial, &look, name, &attempt);
         }
         attempt_release(&attempt);
         if (result != 0)
@@ -158,9 +219,9 @@ int trial_check_undefined_behaviour(struct trial *trial, struct error *err)
             strcpy(check->message, trial->cases[i].attempt.message);
             strcpy(check->message_es, trial->cases[i].attempt.message_es);
         }
-    if (look(trial, SERIES_SANITIZER, SANITIZED_INPUT_BYTES, err) != 0)
+    if (look_with(trial, SERIES_SANITIZER, SANITIZED_INPUT_BYTES, err) != 0)
         return -1;
     if (check->verdict != VERDICT_PASSED || !trial->yardstick->probes.valgrind)
         return 0;
-    return look(trial, SERIES_MEMCHECK, CHECKED_INPUT_BYTES, err);
+    return look_with(trial, SERIES_MEMCHECK, CHECKED_INPUT_BYTES, err);
 }

@@ -72,6 +72,10 @@ struct judge {
     int (*judge)(struct span input, struct span answer, const struct usage *usage,
                  struct judgement *out, struct error *err);
 
+    /* Answers hold computed reals. Valgrind computes long double with the precision of double, so
+     * that there a right program may answer worse than by itself. */
+    bool answers_reals;
+
     /* Bytes that a right answer to `input` can take at most: the size of the answer's region. */
     size_t (*answer_bound)(struct span input);
 };

@@ -291,6 +291,7 @@ const struct judge judge_mesh_area = {
     .make = make,
     .families = families,
     .make_sized = make_sized,
+    .answers_reals = true,
     .judge = judge_area,
     .answer_bound = answer_bound,
 };
