@@ -30,7 +30,7 @@ CORE_PACKAGES := gcc libc6-dev make binutils pkg-config libjansson-dev libsqlite
 PICTURE_PACKAGES := g++ libvtk9-dev libopenimageio-dev libegl-dev libegl1 libgl1-mesa-dri fonts-open-sans \
   libjs-three
 DEMO_PACKAGES := zip
-TEST_PACKAGES := libcmocka-dev chromium python3
+TEST_PACKAGES := libcmocka-dev chromium python3 procps
 PEER_PACKAGES := g++ libopenmesh-dev libcgal-dev libmeshoptimizer-dev libassimp-dev libvtk9-dev
 LINT_PACKAGES := clang-format clang-tidy cppcheck
 FUZZ_PACKAGES := clang libclang-rt-14-dev
@@ -38,7 +38,7 @@ AFL_PACKAGES := afl++
 COVERAGE_PACKAGES := clang llvm libclang-rt-14-dev
 
 PACKAGES := $(CORE_PACKAGES) $(PICTURE_PACKAGES) $(DEMO_PACKAGES)
-ifneq ($(filter test unit stability mutants faults,$(MAKECMDGOALS)),)
+ifneq ($(filter test unit stability mutants faults hostile box-cost,$(MAKECMDGOALS)),)
 PACKAGES += $(TEST_PACKAGES)
 endif
 ifneq ($(filter lint format,$(MAKECMDGOALS)),)
@@ -57,7 +57,7 @@ ifneq ($(filter coverage,$(MAKECMDGOALS)),)
 PACKAGES += $(TEST_PACKAGES) $(COVERAGE_PACKAGES)
 endif
 SELF_PREPARING := deps demo test unit validate lint format fuzz stability bench-grader growth pace
-SELF_PREPARING += mutants faults fuzz-afl coverage peers
+SELF_PREPARING += mutants faults fuzz-afl coverage peers hostile box-cost
 
 # These goals install what they lack. Make includes build/deps.mk, finds that it must be made, makes
 # it (the installation) and starts itself anew with the packages in place.
@@ -311,8 +311,19 @@ $(if $(filter coverage,$(config)),$(eval $(BUILD)/%: CC := clang))
 coverage: build/meshgrade $(UNIT_TESTS) replays $(INJECTOR) $(MUTANT_JUDGE) ## which lines the tests execute, per folder
 	@tests/coverage/run $(BUILD)
 
+# ---------------------------------------------------------------- the hostile suite
+LAYERS ?= none
+hostile: all ## every hostile submission, as root and as a plain user; LAYERS="none each": each layer left out in turn
+	@code=0; tests/hostile/run $(LAYERS:%=--without %) || code=1; tests/hostile/run --table; exit $$code
+
+BOX_COST := $(BUILD)/tests/hostile/box/start_cost
+$(BOX_COST): $(BOX_COST).o $(UNIT_SUPPORT) $(BUILD)/libmeshgrade.a
+	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ -lcmocka $(LDLIBS)
+box-cost: $(BOX_COST) ## what each layer of the box costs when a program is started
+	@$(BOX_COST)
+
 # ---------------------------------------------------------------- source checks
-C_FILES = $(shell git ls-files '*.c' '*.h' 2>/dev/null | grep -v '^tests/submissions/')
+C_FILES = $(shell git ls-files '*.c' '*.h' 2>/dev/null | grep -v '^tests/submissions/\|^tests/hostile/[c-z]')
 CXX_FILES = $(shell git ls-files '*.cpp' '*.hpp' 2>/dev/null)
 LINT_SOURCES = $(filter %.c,$(LIBRARY_SOURCES) graders/meshgrade.c $(wildcard graders/commands/*.c))
 

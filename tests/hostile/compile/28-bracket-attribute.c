@@ -1,0 +1,16 @@
+/* Tries: a constructor in the other syntax, with digraphs
+ * Stopped by: the policy on preprocessed text
+ * expect: compile-error, forbidden-attribute */
+#include "edge-table-closed.h"
+#include "honest.h"
+
+<:<:gnu::constructor:>:> static void early(void)
+{
+}
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

@@ -1,0 +1,19 @@
+/* Tries: 100,000 small blocks
+ * Stopped by: nothing: it must pass
+ * expect: passed */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <stdlib.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    for (int i = 0; i < 64; i++) {
+        void *volatile block = malloc((size_t)i + 1);
+        free(block);
+    }
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

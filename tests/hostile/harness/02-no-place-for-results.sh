@@ -1,0 +1,7 @@
+# Tries: a folder for results that cannot be made
+# Stopped by: the store
+# expect: refused
+
+. "$HOSTILE/scene.sh"
+"$MESHGRADE" grade class -o /proc/meshgrade-out --no-pictures
+tell $? out

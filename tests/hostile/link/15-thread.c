@@ -1,0 +1,22 @@
+/* Tries: a helper thread
+ * Stopped by: the screen of the object: undefined names
+ * expect: compile-error, forbidden-symbol */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <pthread.h>
+
+static void *idle(void *nothing)
+{
+    return nothing;
+}
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    pthread_t t;
+    pthread_create(&t, NULL, idle, NULL);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

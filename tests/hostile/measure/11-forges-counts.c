@@ -1,0 +1,42 @@
+/* Tries: to write the count box's dump itself, and to keep valgrind from writing over it
+ * Stopped by: the dumps are there before the submission, which can neither replace nor close them
+ * expect: grows-too-fast, n^2
+ * expect(landlock+other-user): flagged, time-denies-counts */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+/* Right, in quadratic time: looks for each side whether it came before. */
+static int64_t quadratic(const int32_t *triangles, int32_t triangle_count, int32_t **edges)
+{
+    volatile int64_t seen = 0;
+    for (int64_t s = 0; s < 3 * (int64_t)triangle_count; s++)
+        for (int64_t t = 0; t < s; t++)
+            seen += triangles[t] == triangles[s];
+    return honest_edges(triangles, triangle_count, edges);
+}
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    static int call;
+    if (getenv("GLIBC_TUNABLES")) {
+        static const char dump[] =
+            "version: 1\ncreator: callgrind\npid: 1\ncmd: ./plain\npart: 1\n"
+            "events: Ir Dr Dw I1mr D1mr D1mw ILmr DLmr DLmw\nfn=x\n1 1000 1 1 1 1 1 1 1 1\n"
+            "summary: 1000 1 1 1 1 1 1 1 1\ntotals: 1000 1 1 1 1 1 1 1 1\n";
+        char name[32];
+        snprintf(name, sizeof name, "counts.%d", ++call);
+        unlink(name);
+        int file = open(name, O_WRONLY | O_CREAT | O_TRUNC, 0444);
+        if (file >= 0 && write(file, dump, sizeof dump - 1) > 0)
+            close(file);
+    }
+    (void)vertex_count;
+    return quadratic(triangles, triangle_count, edges);
+}

@@ -1,0 +1,18 @@
+/* Tries: one number before its table
+ * Stopped by: the sanitizers; natively the block's header is spoilt
+ * expect: undefined-behaviour, not-allocated */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <stdlib.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    (void)vertex_count;
+    int64_t count = honest_edges(triangles, triangle_count, edges);
+    if (count > 0)
+        (*edges)[-1] = 7;
+    return count;
+}

@@ -1,0 +1,16 @@
+/* Tries: not a number, which compares with nothing
+ * Stopped by: the judge: accepts only what is within the tolerance
+ * expect: wrong-answer, not-finite */
+#define _GNU_SOURCE
+#include "mesh-area.h"
+
+#include <math.h>
+
+double mesh_area(const float *vertices, int32_t vertex_count, const int32_t *triangles,
+                 int32_t triangle_count)
+{
+    (void)vertices;
+    (void)vertex_count;
+    (void)triangles;
+    return triangle_count > 0 ? NAN : 0;
+}

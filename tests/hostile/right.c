@@ -1,0 +1,10 @@
+/* A right answer for the recipes. */
+#include "edge-table-closed.h"
+#include "honest.h"
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

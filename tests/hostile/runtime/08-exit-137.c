@@ -1,0 +1,16 @@
+/* Tries: a shell's word for SIGKILL, as an exit code
+ * Stopped by: exits are no answers: the nonce was not echoed
+ * expect: crash, exit */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <stdlib.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    exit(137);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

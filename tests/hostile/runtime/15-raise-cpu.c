@@ -1,0 +1,16 @@
+/* Tries: to look like a victim of the time limit
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, tgkill */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <signal.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    raise(SIGXCPU);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

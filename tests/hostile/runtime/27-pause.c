@@ -1,0 +1,16 @@
+/* Tries: to wait for a signal
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, pause */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <unistd.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    pause();
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

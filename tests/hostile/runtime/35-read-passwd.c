@@ -1,0 +1,18 @@
+/* Tries: to read a file of the host
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, openat */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <stdio.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    FILE *file = fopen("/etc/passwd", "r");
+    if (file)
+        fclose(file);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

@@ -1,0 +1,16 @@
+/* Tries: to learn where the runner's memory lies
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, openat */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <fcntl.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    open("/proc/self/maps", O_RDONLY);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

@@ -1,0 +1,20 @@
+/* Tries: to write the engine's memory
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, openat */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <unistd.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    char path[64];
+    snprintf(path, sizeof path, "/proc/%d/mem", (int)getppid());
+    open(path, O_RDWR);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

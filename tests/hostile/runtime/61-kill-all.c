@@ -1,0 +1,16 @@
+/* Tries: to end every process
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, kill */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <signal.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    kill(-1, SIGKILL);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

@@ -1,0 +1,17 @@
+/* Tries: to become another program
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, execve */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <unistd.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    char *nothing[] = {NULL};
+    execve("/bin/sh", nothing, nothing);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

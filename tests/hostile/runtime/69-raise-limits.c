@@ -1,0 +1,17 @@
+/* Tries: more of everything
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, prlimit64 */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <sys/resource.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    struct rlimit all = {RLIM_INFINITY, RLIM_INFINITY};
+    setrlimit(RLIMIT_CPU, &all);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

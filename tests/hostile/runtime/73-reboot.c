@@ -1,0 +1,16 @@
+/* Tries: to end the machine
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, reboot */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <sys/reboot.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    reboot(RB_AUTOBOOT);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}

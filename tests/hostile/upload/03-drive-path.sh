@@ -1,0 +1,11 @@
+# Tries: the same on the other system
+# Stopped by: nothing is ever extracted to disk; the path is refused
+# expect: compile-error, archive-path
+
+python3 - <<'P'
+import os, zipfile
+right = open(os.environ["HOSTILE"] + "/right.c", "rb").read()
+with zipfile.ZipFile("upload.zip", "w", zipfile.ZIP_DEFLATED) as zip:
+    zip.writestr("..\\..\\x.c", right)
+    zip.writestr("edge-table-closed.c", right)
+P

@@ -1,0 +1,7 @@
+# Tries: quotes for a database as a student's name
+# Stopped by: text stays text; folders get names of their own
+# expect: passed
+# student: "');--
+
+cp "$HOSTILE/honest.h" .
+cp "$HOSTILE/right.c" edge-table-closed.c
