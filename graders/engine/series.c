@@ -51,7 +51,8 @@ static const struct {
                          MODE_MEMCHECK,
                          {"/usr/bin/valgrind", "-q", "--tool=memcheck", "--vgdb=no",
                           "--leak-check=no", "--num-callers=8", "--error-exitcode=" FOUND,
-                          "--exit-on-first-error=yes", "./checked", NULL},
+                          "--exit-on-first-error=yes", "--max-stackframe=16777216", "./checked",
+                          NULL},
                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp", NULL}},
 };
 

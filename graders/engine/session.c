@@ -193,7 +193,8 @@ int session_end(struct session *session, struct box_outcome *outcome, struct err
         bool ended = false;
         for (int i = 0; i < QUIT_STEPS && !ended; i++)
             ended = box_step(&session->box, QUIT_STEP_MS);
-        if (!ended) /* it will not, or the machine is too busy to let it: that is no fault of ours */
+        if (!ended) /* it will not, or the machine is too busy to let it: that is no fault of ours
+                     */
             box_kill(&session->box);
         session->alive = false;
     }

@@ -1,6 +1,6 @@
 /* Tries: a count of edges that no table holds
  * Stopped by: the judge: a claim without elements
- * expect: wrong-answer, count */
+ * expect: wrong-answer, impossible-count */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"

@@ -1,6 +1,6 @@
 /* Tries: no table, but a count
  * Stopped by: the judge: a claim without elements
- * expect: wrong-answer, count */
+ * expect: wrong-answer, no-table */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 

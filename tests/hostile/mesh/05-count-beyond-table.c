@@ -1,6 +1,6 @@
 /* Tries: a count beyond the end of its table
  * Stopped by: the runner reads as far as the count says, and faults or finds rubbish
- * expect: wrong-answer, count */
+ * expect: crash, wild-pointer */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"

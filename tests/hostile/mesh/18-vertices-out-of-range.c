@@ -1,6 +1,6 @@
 /* Tries: edges between vertices that there are not
  * Stopped by: the judge: every index is checked before use
- * expect: wrong-answer, no-such-vertex */
+ * expect: wrong-answer, index-out-of-range */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"

@@ -1,6 +1,6 @@
 /* Tries: a table of rubbish
  * Stopped by: the judge
- * expect: wrong-answer, no-such-vertex */
+ * expect: wrong-answer, index-out-of-range */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 

@@ -9,7 +9,8 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
                           int32_t **edges)
 {
     volatile int32_t zero = 0;
-    vertex_count /= zero;
+    if (vertex_count / zero == 7)
+        return 0;
     (void)vertex_count;
     return honest_edges(triangles, triangle_count, edges);
 }

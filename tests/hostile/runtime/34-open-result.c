@@ -1,6 +1,6 @@
 /* Tries: to write the result itself
  * Stopped by: the seccomp filter of the run box
- * expect: forbidden-operation, openat */
+ * expect: forbidden-operation, creat */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"

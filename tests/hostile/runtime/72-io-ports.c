@@ -5,7 +5,7 @@
 #include "edge-table-closed.h"
 #include "honest.h"
 
-#include <sys/io.h>
+int iopl(int level);
 
 int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
                           int32_t **edges)

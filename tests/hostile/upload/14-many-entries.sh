@@ -1,6 +1,6 @@
 # Tries: 50,000 empty files
 # Stopped by: the number of entries
-# expect: compile-error, archive-too-many
+# expect: compile-error, too-many-files
 
 python3 - <<'P'
 import os, zipfile
