@@ -316,6 +316,7 @@ LAYERS ?= none
 hostile: all ## every hostile submission, as root and as a plain user; LAYERS="none each": each layer left out in turn
 	@code=0; tests/hostile/run $(LAYERS:%=--without %) || code=1; tests/hostile/run --table; exit $$code
 
+.PHONY: hostile box-cost
 BOX_COST := $(BUILD)/tests/hostile/box/start_cost
 $(BOX_COST): $(BOX_COST).o $(UNIT_SUPPORT) $(BUILD)/libmeshgrade.a
 	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ -lcmocka $(LDLIBS)
