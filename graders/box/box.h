@@ -160,7 +160,7 @@ int box_give_folder(const char *path, struct error *err) MUST_CHECK;
 
 /* Starts a program. Returns 0 when the program runs; -1 and *err when the box could not be made or
  * the program not be executed (a fault), and then nothing is left. It is also a fault when
- *   - seccomp is not active and the caller did not disable it by name,
+ *   - seccomp or rlimits are not active and the caller did not disable them by name,
  *   - TOOLS or BUILD would see the host's files: neither private root nor Landlock is active, and
  * the caller did not disable both by name,
  *   - the program would run with root's capabilities.

@@ -95,10 +95,11 @@ static void settle(struct inside *inside)
         personality(ADDR_NO_RANDOMIZE);
 }
 
-static const char *without_seccomp(const struct report *report)
+static const char *nothing_without(const struct report *report, enum box_layer layer)
 {
-    static char text[120];
-    snprintf(text, sizeof text, "nothing is run without seccomp: %s", report->reason[BOX_SECCOMP]);
+    static char text[160];
+    snprintf(text, sizeof text, "nothing is run without %s: %s", box_layer_name(layer),
+             report->reason[layer]);
     return text;
 }
 
@@ -108,7 +109,9 @@ static const char *missing_layer(const struct inside *inside)
     const struct box_plan *plan = inside->plan;
     const struct report *report = &inside->report;
     if (!layer_waived(plan, BOX_SECCOMP) && !layer_active(report, BOX_SECCOMP))
-        return without_seccomp(report);
+        return nothing_without(report, BOX_SECCOMP);
+    if (!layer_waived(plan, BOX_RLIMITS) && !layer_active(report, BOX_RLIMITS))
+        return nothing_without(report, BOX_RLIMITS);
     /* A root that has no other id, as in a container of one user: harmless without capabilities,
      * and no_new_privs keeps exec from giving them back. */
     if (getuid() == 0 && !layer_active(report, BOX_NO_NEW_PRIVILEGES))
