@@ -229,9 +229,10 @@ static void add_limit(const struct row *row, json_t *object)
 
 static void add_facts(const struct row *row, json_t *object)
 {
-    static const char *const told[] = {"vertices_processed", "queries", "boundary_loops", "strips",
-                                       "strip_vertices",     "records", "indices",        "bytes",
-                                       "file_bytes"};
+    static const char *const told[] = {
+        "vertices_processed", "queries",     "boundary_loops", "strips",
+        "strip_vertices",     "records",     "indices",        "bytes",
+        "file_bytes",         "cache_misses"};
     json_t *facts = json_object();
     double triangles = number(row->all->mesh, "triangles");
     double bytes = fact(row->first, "bytes", -1), formula = fact(row->first, "formula_bytes", -1);
