@@ -23,9 +23,9 @@
 int half_edge_reserve(struct half_edge_mesh *he, int64_t more_vertices, int64_t more_faces,
                       int64_t more_half_edges, struct error *err) MUST_CHECK;
 
-/* Puts a new vertex into triangle `face` and joins it to the corners. The face keeps its first
- * side; the new faces, which keep its second and third, are the last two. Constant time.
- * Returns the vertex, or -1 and *err. */
+/* Puts a new vertex into triangle `face`, which is in use, and joins it to the corners. The face
+ * keeps its first side; the new faces, which keep its second and third, are the last two. Constant
+ * time. Returns the vertex, or -1 and *err. */
 int32_t half_edge_split_face(struct half_edge_mesh *he, int32_t face, const float position[3],
                              struct error *err) MUST_CHECK;
 
