@@ -64,8 +64,7 @@ static json_t *panel_of(const struct study *study, struct wanted wanted)
     const char *subjects[STUDY_NAMES_MAX];
     char title[80];
     size_t count = study_names(study, &wanted, "subject", subjects);
-    snprintf(title, sizeof title, "%s", study_operation(wanted.operation));
-    title[0] = (char)(title[0] >= 'a' && title[0] <= 'z' ? title[0] - 'a' + 'A' : title[0]);
+    figure_operation_title(wanted.operation, title, sizeof title);
     json_t *panel = figure_panel(title, "triangles",
                                  study_is_query(wanted.operation) ? "ns a query" : "ns a triangle");
     for (size_t s = 0; s < count; s++) {
@@ -165,8 +164,8 @@ static void finding(const struct study *study, FILE *to)
 
 const struct figure figure_costs = {.name = "costs",
                                     .label = "Build and query cost over the size of the mesh",
-                                    .width = 1440,
-                                    .height = 1080,
+                                    .width = 1600,
+                                    .height = 1040,
                                     .scene = scene,
                                     .finding = finding,
                                     .absent = "no mesh was measured at two sizes"};

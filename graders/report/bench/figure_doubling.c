@@ -112,8 +112,7 @@ static void add_caches(json_t *panel, const struct study *study, const struct wa
 static json_t *panel_of(const struct study *study, struct wanted wanted)
 {
     char title[80];
-    snprintf(title, sizeof title, "%s", study_operation(wanted.operation));
-    title[0] = (char)(title[0] >= 'a' && title[0] <= 'z' ? title[0] - 'a' + 'A' : title[0]);
+    figure_operation_title(wanted.operation, title, sizeof title);
     json_t *panel = figure_panel(title, "triangles", "ns a triangle");
     const char *variant = fastest_variant(study, wanted.operation);
     struct wanted fast = wanted;

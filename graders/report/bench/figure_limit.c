@@ -69,10 +69,11 @@ static json_t *scene(const struct study *study)
     size_t count = study_names(study, &wanted, "operation", operations);
     json_t *groups = json_array();
     for (size_t i = 0; i < count; i++) {
+        char title[80];
         wanted.operation = operations[i];
-        json_array_append_new(groups,
-                              json_pack("{s:s, s:o}", "title", study_operation(operations[i]),
-                                        "bars", bars_of(study, &wanted)));
+        figure_operation_title(operations[i], title, sizeof title);
+        json_array_append_new(
+            groups, json_pack("{s:s, s:o}", "title", title, "bars", bars_of(study, &wanted)));
     }
     study_mesh_words(wanted.mesh, words, sizeof words);
     return json_pack("{s:s, s:s, s:s, s:s, s:[o], s:o}", "kind", "bars", "title",

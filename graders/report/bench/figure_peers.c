@@ -69,13 +69,14 @@ static json_t *scene(const struct study *study)
     json_t *groups = json_array();
     for (size_t k = 0; k < count; k++) {
         struct comparison list[PEERS_MAX];
+        char title[80];
         wanted.operation = operations[k];
+        figure_operation_title(operations[k], title, sizeof title);
         size_t found = collect(study, &wanted, list);
         json_t *bars = json_array();
         for (size_t i = 0; i < found; i++)
             json_array_append_new(bars, bar_of(&list[i]));
-        json_array_append_new(
-            groups, json_pack("{s:s, s:o}", "title", study_operation(operations[k]), "bars", bars));
+        json_array_append_new(groups, json_pack("{s:s, s:o}", "title", title, "bars", bars));
     }
     study_mesh_words(wanted.mesh, words, sizeof words);
     return json_pack("{s:s, s:s, s:s, s:s, s:s, s:[o], s:o, s:[o, o, o]}", "kind", "bars", "title",

@@ -59,3 +59,10 @@ void figure_number(json_t *object, const char *key, double value)
     if (isfinite(value))
         json_object_set_new(object, key, json_real(value));
 }
+
+void figure_operation_title(const char *operation, char *text, size_t capacity)
+{
+    snprintf(text, capacity, "%s", study_operation(operation));
+    if (*text >= 'a' && *text <= 'z')
+        *text = (char)(*text - 'a' + 'A');
+}

@@ -60,6 +60,9 @@ void figure_point(json_t *series, double x, double y);
 /* A panel of curves on logarithmic axes, with no curve yet ("series" is an empty array). */
 json_t *figure_panel(const char *title, const char *x_label, const char *y_label);
 
+/* "Twins of half edges": an operation as a title. Writes at most `capacity` bytes. */
+void figure_operation_title(const char *operation, char *text, size_t capacity);
+
 /* Adds a number under a key, unless it is NaN. */
 void figure_number(json_t *object, const char *key, double value);
 
