@@ -113,10 +113,14 @@ static void seal_row(const char *const columns[SEAL], char seal[STORE_DIGEST])
 static int read_row(sqlite3_stmt *query, const char *columns[COLUMNS], struct error *err)
 {
     char seal[STORE_DIGEST];
-    for (int i = 0; i < COLUMNS; i++)
-        if (!(columns[i] = (const char *)sqlite3_column_text(query, i)))
-            return error_set(err, "meshgrade.sqlite: a row lacks a text, or memory is short (move "
-                                  "the file away to grade the class anew)");
+    for (int i = 0; i < COLUMNS; i++) {
+        columns[i] = (const char *)sqlite3_column_text(query, i);
+        if (columns[i])
+            continue;
+        error_set(err, "meshgrade.sqlite: a row lacks a text, or memory is short (move the file "
+                       "away to grade the class anew)");
+        return -1;
+    }
     seal_row(columns, seal);
     if (strcmp(seal, columns[SEAL]) == 0)
         return 0;
