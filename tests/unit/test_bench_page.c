@@ -124,7 +124,7 @@ static void test_heat_map_is_relative_to_the_fastest(void **state)
 {
     (void)state;
     struct study study = study_of(two_representations());
-    assert_says(&figure_heat, &study, "Small is the fastest in 2 of 3 operations");
+    assert_says(&figure_heat, &study, "Most often the fastest: Small, in 2 of 3 operations; none");
     assert_says(&figure_heat, &study, "dearest choice is Large for \"area\": 4.00 times");
     json_t *scene = figure_heat.scene(&study);
     const json_t *large = json_array_get(json_object_get(scene, "cells"), 0);
@@ -186,9 +186,12 @@ static void test_peers_are_counted_by_their_intervals(void **state)
         rows, with_ratio(row("kernels", "peer", "Even", "area", mesh, 9), 1.02, .95, 1.1, 0));
     json_array_append_new(
         rows, with_ratio(row("kernels", "peer", "Noisy", "area", mesh, 9), 5, 1.1, 40, 1));
+    json_t *once = with_ratio(row("kernels", "peer", "Once", "area", mesh, 9), 8, 8, 8, 0);
+    json_object_set_new(json_object_get(once, "ratio"), "confidence", json_real(0));
+    json_array_append_new(rows, once);
     struct study study = study_of(rows);
-    assert_says(&figure_peers, &study, "In 1 of 4 comparisons");
-    assert_says(&figure_peers, &study, "in 1 it is faster, and 1 are too noisy");
+    assert_says(&figure_peers, &study, "In 1 of 5 comparisons");
+    assert_says(&figure_peers, &study, "in 1 it is faster, and 3 are undecided");
     assert_says(&figure_peers, &study, "from 0.50 (Quick, area, on torus-100k-generated) to 30");
     study_release(&study);
 }

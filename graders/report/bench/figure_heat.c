@@ -126,9 +126,9 @@ static void finding(const struct study *study, FILE *to)
             best = s;
     study_number_words(slowest_ratio(&table, &slow_subject, &slow_operation), most, sizeof most);
     size_t won = wins(&table, best);
-    fprintf(to, "%s is the fastest in %zu of %zu operations%s. ",
+    fprintf(to, "Most often the fastest: %s, in %zu of %zu operations%s. ",
             study_title(study, "representations", table.subjects[best]), won, table.operation_count,
-            won == table.operation_count ? "" : ", and none is the fastest in all");
+            won == table.operation_count ? "" : "; none is the fastest in all");
     fprintf(to,
             "The dearest choice is %s for \"%s\": %s times as long as the fastest. Structures "
             "without the link that a query needs search the whole mesh for it.",

@@ -12,7 +12,7 @@ enum { PEERS_MAX = 16 };
 struct comparison {
     const char *title;
     double median, low, high;
-    bool too_noisy;
+    bool too_noisy, decided;
 };
 
 static int by_ratio(const void *a, const void *b)
@@ -34,7 +34,8 @@ static size_t collect(const struct study *study, const struct wanted *wanted,
                                  .median = study_number(ratio, "median"),
                                  .low = study_number(ratio, "low"),
                                  .high = study_number(ratio, "high"),
-                                 .too_noisy = json_is_true(json_object_get(ratio, "too_noisy"))};
+                                 .too_noisy = json_is_true(json_object_get(ratio, "too_noisy")),
+                                 .decided = study_is_decided(ratio)};
         if (study_matches(row, wanted) && one.median > 0 && count < PEERS_MAX)
             list[count++] = one;
     }
@@ -47,13 +48,17 @@ static json_t *bar_of(const struct comparison *one)
     char label[80];
     if (one->too_noisy)
         snprintf(label, sizeof label, "%.3g to %.3g, too noisy", one->low, one->high);
+    else if (!one->decided)
+        snprintf(label, sizeof label, "× %.3g", one->median);
     else
         snprintf(label, sizeof label, "× %.3g  (%.3g – %.3g)", one->median, one->low, one->high);
     enum look look = one->too_noisy ? LOOK_GREY : one->median < 1 ? LOOK_ORANGE : LOOK_BLUE;
     json_t *bar = json_pack("{s:s, s:s, s:i, s:f}", "name", one->title, "label", label, "look",
                             (int)look, "value", one->median);
-    figure_number(bar, "low", one->low);
-    figure_number(bar, "high", one->high);
+    if (one->decided || one->too_noisy) {
+        figure_number(bar, "low", one->low);
+        figure_number(bar, "high", one->high);
+    }
     return bar;
 }
 
@@ -91,7 +96,7 @@ static json_t *scene(const struct study *study)
 /* All comparisons of the run, on every mesh. */
 static void finding(const struct study *study, FILE *to)
 {
-    size_t i, count = 0, slower = 0, faster = 0, noisy = 0;
+    size_t i, count = 0, slower = 0, faster = 0, undecided = 0;
     double least = (double)INFINITY, most = 0;
     const json_t *row, *exception = NULL;
     json_array_foreach(study->rows, i, row)
@@ -101,12 +106,13 @@ static void finding(const struct study *study, FILE *to)
         if (!study_matches(row, &peers) || !(median > 0))
             continue;
         count++;
-        if (json_is_true(json_object_get(ratio, "too_noisy"))) {
-            noisy++;
+        bool is_slower = study_is_decided(ratio) && study_number(ratio, "low") > 1;
+        bool is_faster = study_is_decided(ratio) && study_number(ratio, "high") < 1;
+        slower += is_slower;
+        faster += is_faster;
+        undecided += !is_slower && !is_faster;
+        if (json_is_true(json_object_get(ratio, "too_noisy")))
             continue;
-        }
-        slower += study_number(ratio, "low") > 1;
-        faster += study_number(ratio, "high") < 1;
         if (median < least) {
             least = median;
             exception = row;
@@ -114,10 +120,10 @@ static void finding(const struct study *study, FILE *to)
         most = fmax(most, median);
     }
     fprintf(to,
-            "In %zu of %zu comparisons on all meshes of the run the peer takes longer, decided "
-            "by the interval; ",
+            "In %zu of %zu comparisons on all meshes of the run the peer takes longer, with 95 "
+            "percent confidence; ",
             slower, count);
-    fprintf(to, "in %zu it is faster, and %zu are too noisy to say. ", faster, noisy);
+    fprintf(to, "in %zu it is faster, and %zu are undecided. ", faster, undecided);
     if (exception)
         fprintf(to, "The ratios go from %.2f (%s, %s, on %s) to %.0f.", least,
                 study_text(exception, "title"), study_operation(study_text(exception, "operation")),

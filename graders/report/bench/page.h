@@ -41,7 +41,8 @@ void table_close(struct html *page);
 void table_head(struct html *page, const char *const *names, size_t count);
 void table_cell(struct html *page, const char *class_name, const char *text);
 
-/* "× 1.34 (1.30 – 1.38)", or only its ends when too noisy, from a row's ratio; "" without one. */
+/* "× 1.34 (1.30 – 1.38)" from a row's ratio; only its ends when too noisy, only its median when the
+ * blocks are too few for an interval; "" without one. */
 void ratio_words(const json_t *ratio, char *text, size_t capacity);
 
 #endif

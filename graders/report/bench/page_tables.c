@@ -61,6 +61,8 @@ void ratio_words(const json_t *ratio, char *text, size_t capacity)
         snprintf(text, capacity, "%s", "");
     else if (json_is_true(json_object_get(ratio, "too_noisy")))
         snprintf(text, capacity, "%.3g to %.3g, too noisy", low, high);
+    else if (!study_is_decided(ratio))
+        snprintf(text, capacity, "× %.3g", median);
     else
         snprintf(text, capacity, "× %.3g (%.3g – %.3g)", median, low, high);
 }
@@ -82,6 +84,8 @@ static void time_words(const json_t *row, char *text, size_t capacity)
     study_time_words(study_number(time, "high"), high, sizeof high);
     if (isnan(study_number(time, "median")))
         snprintf(text, capacity, "–");
+    else if (study_number(row, "blocks") < 2)
+        snprintf(text, capacity, "%s", median);
     else
         snprintf(text, capacity, "%s%s (%s – %s)",
                  json_is_true(json_object_get(row, "noisy")) ? "~" : "", median, low, high);

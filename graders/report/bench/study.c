@@ -97,6 +97,13 @@ double study_time(const json_t *row)
     return isnan(query) ? study_number(json_object_get(row, "ns_per_triangle"), "median") : query;
 }
 
+bool study_is_decided(const json_t *ratio)
+{
+    const double enough = 0.95;
+    return study_number(ratio, "confidence") >= enough &&
+           !json_is_true(json_object_get(ratio, "too_noisy"));
+}
+
 /* ---------------------------------------------------------------- rows */
 
 static bool is(const json_t *row, const char *key, const char *value)
@@ -233,7 +240,8 @@ static const struct operation_words *words_of(const char *operation)
         {"edges-closed", "edge table, coherent closed mesh", "edges, closed"},
         {"edges-any", "edge table, any orientation", "edges, any"},
         {"twins", "twins of half edges", "twins"},
-        {"stripify", "strips of any mesh", "strips"}};
+        {"stripify", "strips of any mesh", "strips"},
+        {"vertex-cache", "order for the vertex cache", "cache order"}};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(words[i].name, operation) == 0)
             return &words[i];
