@@ -241,7 +241,8 @@ static const struct operation_words *words_of(const char *operation)
         {"edges-any", "edge table, any orientation", "edges, any"},
         {"twins", "twins of half edges", "twins"},
         {"stripify", "strips of any mesh", "strips"},
-        {"vertex-cache", "order for the vertex cache", "cache order"}};
+        {"vertex-cache", "order for the vertex cache", "cache order"},
+        {"vertex-fetch", "order of first use of vertices", "fetch order"}};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(words[i].name, operation) == 0)
             return &words[i];
