@@ -71,12 +71,17 @@ static int count_edges(const struct mesh *mesh, struct header *header, struct er
     return 0;
 }
 
+/* `count` rows of 12 bytes; rows may be NULL when there is none. */
+static bool write_rows(FILE *file, const void *rows, int32_t count)
+{
+    return count == 0 || fwrite(rows, 12, (size_t)count, file) == (size_t)count;
+}
+
 static int write_to(FILE *file, const struct header *header, const struct mesh *mesh)
 {
-    size_t vertices = (size_t)mesh->vertex_count, triangles = (size_t)mesh->triangle_count;
     return fwrite(header, sizeof *header, 1, file) == 1 &&
-                   fwrite(mesh->positions, 12, vertices, file) == vertices &&
-                   fwrite(mesh->triangles, 12, triangles, file) == triangles
+                   write_rows(file, mesh->positions, mesh->vertex_count) &&
+                   write_rows(file, mesh->triangles, mesh->triangle_count)
                ? 0
                : -1;
 }
@@ -171,7 +176,7 @@ static int read_tables(int file, const char *path, const struct header *header,
 static int read_snapshot(const char *path, struct snapshot *snapshot, bool tables,
                          struct error *err)
 {
-    struct header header;
+    struct header header = {.triangle_count = 0};
     *snapshot = (struct snapshot){0};
     int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0)

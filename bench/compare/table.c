@@ -296,7 +296,7 @@ static void write_list(struct table *table, const json_t *rows, const json_t *fi
         json_array_foreach(rows, k, other)
         {
             if (!same_table(other, first) ||
-                strcmp(text(other, "operation"), text(row, "operation")))
+                strcmp(text(other, "operation"), text(row, "operation")) != 0)
                 continue;
             write_line(table, other, operation);
             operation = "";
