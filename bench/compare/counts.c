@@ -46,17 +46,15 @@ static json_t *object_in(json_t *parent, const char *key)
     return object;
 }
 
-static int count_allocations(const struct contender *contender, const char *mesh_path,
-                             json_t *counts, struct error *err)
+/* The library to preload stands beside our own program, `ours`. */
+static int count_allocations(const struct contender *contender, const char *ours,
+                             const char *mesh_path, json_t *counts, struct error *err)
 {
     char preload[PATH_MAX + 32], names[PROCESS_LINE_CAPACITY], *rest = NULL;
     const char *argv[6];
-    const char *slash = strrchr(contender->program, '/');
-    int folder = contender->worker[0] && slash ? (int)(slash - contender->program) : -1;
-    if (folder < 0)
-        return 0;
-    snprintf(preload, sizeof preload, "LD_PRELOAD=%.*s/bench-allocations.so", folder,
-             contender->program);
+    const char *slash = strrchr(ours, '/');
+    snprintf(preload, sizeof preload, "LD_PRELOAD=%.*s/bench-allocations.so",
+             slash ? (int)(slash - ours) : 0, ours);
     const char *const environment[] = {preload, NULL};
     struct process process;
     if (access(preload + strlen("LD_PRELOAD="), R_OK) != 0)
@@ -172,7 +170,8 @@ static int count_contender(const struct run_wish *wish, const struct job *job,
     char mesh_path[PATH_MAX];
     run_mesh_path(wish->folder, &job->mesh, mesh_path, sizeof mesh_path);
     json_t *counts = json_object();
-    int result = count_allocations(contender, mesh_path, counts, err);
+    int result = count_allocations(contender, job->contenders[job->baseline].program, mesh_path,
+                                   counts, err);
     if (result == 0 && access(valgrind, X_OK) == 0)
         result = count_instructions(contender, mesh_path, wish->folder, counts, err);
     json_t *entry = json_pack("{s:s, s:i, s:s, s:o}", "job", job->name, "block", -1, "contender",

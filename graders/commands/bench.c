@@ -18,7 +18,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { QUICK_SECONDS = 50, FULL_MINUTES = 28, COPY_SIZES = 4 };
+enum { QUICK_SECONDS = 40, FULL_MINUTES = 28, COPY_SIZES = 4 };
 
 struct settings {
     unsigned what;
