@@ -76,9 +76,9 @@ struct box_plan {
     const char *writable;                 /* host's folder that becomes /work, or NULL; none in RUN.
                                              Prepare it with box_give_folder */
     bool given_files_only;                /* TOOLS: of what lies in `writable` the program may write
-                                             files, but make, remove and rename none (Landlock; and
-                                             the folder's owner, when box_give_folder was not
-                                             called) */
+                                             files, but make, remove and rename none outside of its
+                                             folder `tmp` (Landlock; and the owner of `writable`,
+                                             when box_give_folder was called for tmp alone) */
     const char *working_folder;           /* relative to /work, or absolute; NULL: /work, or / */
     int passed[BOX_PASSED_LIMIT];         /* descriptors that the program gets as 3, 4, 5, ... */
     int passed_count;

@@ -60,14 +60,19 @@ static int allow_fd(int ruleset, int fd, uint64_t rights)
     return 0;
 }
 
-static int allow_path(int ruleset, const char *path, uint64_t rights)
+static int allow_below(int ruleset, int folder, const char *path, uint64_t rights)
 {
-    int fd = open(path, O_PATH | O_CLOEXEC);
+    int fd = openat(folder, path, O_PATH | O_CLOEXEC);
     if (fd < 0)
         return errno == ENOENT ? 0 : -1;
     int failed = allow_fd(ruleset, fd, rights);
     close(fd);
     return failed;
+}
+
+static int allow_path(int ruleset, const char *path, uint64_t rights)
+{
+    return allow_below(ruleset, AT_FDCWD, path, rights);
 }
 
 /* Returns NULL, or what failed, with errno. */
@@ -92,6 +97,8 @@ static const char *allow_files(const struct inside *inside, int ruleset, uint64_
         work &= ACCESS_RUN | LANDLOCK_ACCESS_FS_WRITE_FILE | ACCESS_TRUNCATE;
     if (inside->work_fd >= 0 && allow_fd(ruleset, SLOT_WORK, work))
         return "/work";
+    if (plan->given_files_only && allow_below(ruleset, SLOT_WORK, "tmp", write))
+        return "/work/tmp";
     if (allow_path(ruleset, "/dev/null",
                    LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE))
         return "/dev/null";

@@ -128,11 +128,11 @@ static const char *missing_layer(const struct inside *inside)
 static void execute(const struct inside *inside)
 {
     const struct box_plan *plan = inside->plan;
-    char folder[300] = "TMPDIR=/tmp";
-    if (!layer_active(&inside->report, BOX_PRIVATE_ROOT) && plan->writable)
-        snprintf(folder, sizeof folder, "TMPDIR=%s", plan->writable);
+    /* Relative, since the program's user may not pass all folders above. */
+    char folder[] = "TMPDIR=/tmp", here[] = "TMPDIR=.";
+    bool rooted = layer_active(&inside->report, BOX_PRIVATE_ROOT);
     char path[] = "PATH=/usr/bin:/bin", language[] = "LC_ALL=C";
-    char *const plain[] = {path, language, folder, NULL};
+    char *const plain[] = {path, language, rooted ? folder : here, NULL};
     char *const *environment = plan->envp ? plan->envp : plain;
     if (plan->program_fd >= 0)
         execveat(SLOT_PROGRAM, "", plan->argv, environment, AT_EMPTY_PATH);

@@ -24,8 +24,10 @@ static const char UBSAN_OPTIONS[] =
     "UBSAN_OPTIONS=abort_on_error=0:exitcode=" FOUND ":color=never:print_stacktrace=0";
 
 /* How each tool is run. Programs are named relative to /work, so that their counts do not depend on
- * the host's paths. GLIBC_TUNABLES pins libc's choice of string functions: counts then agree
- * between machines. Caches of declared size, not this machine's. */
+ * the host's paths; callgrind would make a relative name absolute, and its user may not pass all
+ * folders above, but /proc/self/cwd leads there at once. GLIBC_TUNABLES pins libc's choice of
+ * string functions: counts then agree between machines. Caches of declared size, not this
+ * machine's. */
 static const struct {
     enum program_kind program;
     uint32_t mode;
@@ -37,15 +39,15 @@ static const struct {
                           MODE_COUNT,
                           {"/usr/bin/valgrind", "-q", "--tool=callgrind", "--vgdb=no",
                            "--collect-atstart=no", "--cache-sim=yes", "--I1=32768,8,64",
-                           "--D1=32768,8,64", "--LL=8388608,16,64", "--callgrind-out-file=counts",
-                           "./plain", NULL},
-                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp",
+                           "--D1=32768,8,64", "--LL=8388608,16,64",
+                           "--callgrind-out-file=/proc/self/cwd/counts", "./plain", NULL},
+                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp",
                            "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-AVX512VL,-ERMS,-FSRM",
                            NULL}},
     [SERIES_SANITIZER] = {PROGRAM_SANITIZED,
                           MODE_PLAIN,
                           {"./sanitized", NULL},
-                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp", ASAN_OPTIONS,
+                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp", ASAN_OPTIONS,
                            UBSAN_OPTIONS, NULL}},
     [SERIES_MEMCHECK] = {PROGRAM_CHECKED,
                          MODE_MEMCHECK,
@@ -53,7 +55,7 @@ static const struct {
                           "--leak-check=no", "--num-callers=8", "--error-exitcode=" FOUND,
                           "--exit-on-first-error=yes", "--max-stackframe=16777216", "./checked",
                           NULL},
-                         {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=/tmp", NULL}},
+                         {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp", NULL}},
 };
 
 /* The files that callgrind will dump to, "counts" and one a call, are there before the submission
@@ -78,12 +80,25 @@ static int make_dumps(const struct series *series, struct error *err)
     return 0;
 }
 
+/* Valgrind writes what its program sees of /proc into files of its own. A folder in /work serves
+ * also where the box has no /tmp. */
+static int make_scratch(const struct series *series, struct error *err)
+{
+    char path[PATH_MAX + 8];
+    snprintf(path, sizeof path, "%s/tmp", series->folder);
+    if (mkdir(path, 0700) != 0)
+        return error_set(err, "%s: %s", path, strerror(errno));
+    return box_give_folder(path, err);
+}
+
 static int make_folder(struct series *series, const struct series_plan *plan, struct error *err)
 {
     if (plan->tool == SERIES_PLAIN)
         return 0;
     if (folder_make_work(series->folder, err) != 0 ||
         build_copy_program(plan->build, tools[plan->tool].program, series->folder, err) != 0)
+        return -1;
+    if (make_scratch(series, err) != 0)
         return -1;
     return plan->tool == SERIES_CALLGRIND ? make_dumps(series, err)
                                           : box_give_folder(series->folder, err);
