@@ -44,7 +44,7 @@ static size_t collect(const struct study *study, struct size list[STUDY_NAMES_MA
 
 static json_t *scene(const struct study *study)
 {
-    struct size list[STUDY_NAMES_MAX];
+    struct size list[STUDY_NAMES_MAX] = {{0}};
     const char *mesh;
     char words[100];
     size_t count = collect(study, list, &mesh);
@@ -69,7 +69,7 @@ static json_t *scene(const struct study *study)
 
 static void finding(const struct study *study, FILE *to)
 {
-    struct size list[STUDY_NAMES_MAX];
+    struct size list[STUDY_NAMES_MAX] = {{0}};
     const char *mesh;
     char words[100];
     size_t count = collect(study, list, &mesh), worst = 0;

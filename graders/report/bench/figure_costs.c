@@ -68,7 +68,7 @@ static json_t *panel_of(const struct study *study, struct wanted wanted)
     json_t *panel = figure_panel(title, "triangles",
                                  study_is_query(wanted.operation) ? "ns a query" : "ns a triangle");
     for (size_t s = 0; s < count; s++) {
-        struct point points[SIZES_MAX];
+        struct point points[SIZES_MAX] = {{0}};
         wanted.subject = subjects[s];
         size_t point_count = points_of(study, &wanted, points);
         json_t *series = figure_series(study_title(study, "representations", subjects[s]),
@@ -110,7 +110,7 @@ static struct growth growth_of(const struct study *study, struct wanted wanted)
     struct growth growth = {NULL, NULL, (double)INFINITY, 0, 0};
     size_t count = study_names(study, &wanted, "subject", subjects);
     for (size_t s = 0; s < count; s++) {
-        struct point points[SIZES_MAX];
+        struct point points[SIZES_MAX] = {{0}};
         wanted.subject = subjects[s];
         size_t point_count = points_of(study, &wanted, points);
         if (point_count < 2)

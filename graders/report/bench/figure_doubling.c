@@ -71,7 +71,7 @@ static const char *fastest_variant(const struct study *study, const char *operat
 static void add_curve(json_t *panel, const struct study *study, const struct wanted *wanted,
                       const char *name, enum look look, bool dashed)
 {
-    struct point points[SIZES_MAX];
+    struct point points[SIZES_MAX] = {{0}};
     size_t count = points_of(study, wanted, points);
     if (count == 0)
         return;
@@ -155,7 +155,7 @@ static void write_scrambling(const struct study *study, struct wanted wanted, FI
     double least = (double)INFINITY, most = 0;
     size_t count = study_names(study, &wanted, "operation", operations);
     for (size_t i = 0; i < count; i++) {
-        struct point ordered[SIZES_MAX], scrambled[SIZES_MAX];
+        struct point ordered[SIZES_MAX] = {{0}}, scrambled[SIZES_MAX] = {{0}};
         struct wanted here = wanted;
         here.operation = operations[i];
         here.variant = fastest_variant(study, operations[i]);
@@ -190,7 +190,7 @@ static void finding(const struct study *study, FILE *to)
         return;
     size_t count = study_names(study, &wanted, "operation", operations);
     for (size_t i = 0; i < count; i++) {
-        struct point points[SIZES_MAX];
+        struct point points[SIZES_MAX] = {{0}};
         struct wanted here = wanted;
         here.operation = operations[i];
         here.variant = fastest_variant(study, operations[i]);

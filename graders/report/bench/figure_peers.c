@@ -73,7 +73,7 @@ static json_t *scene(const struct study *study)
     size_t count = study_names(study, &wanted, "operation", operations);
     json_t *groups = json_array();
     for (size_t k = 0; k < count; k++) {
-        struct comparison list[PEERS_MAX];
+        struct comparison list[PEERS_MAX] = {{0}};
         char title[80];
         wanted.operation = operations[k];
         figure_operation_title(operations[k], title, sizeof title);

@@ -11,7 +11,8 @@ enum { K_LEAST = 8, K_MOST = 1024, K_BUILT_MOST = 512 };
 
 static double voxel_bytes(int64_t k)
 {
-    return (double)((k * k * k + 7) / 8);
+    int64_t whole_bytes = (k * k * k + 7) / 8;
+    return (double)whole_bytes;
 }
 
 /* k meridians and k parallels as k x k vertices, 2 k (k - 1) triangles: about 36 k^2. */

@@ -103,12 +103,12 @@ static void write_title(struct html *page, const struct study *study)
 static void write_abstract(struct html *page, const struct bench_page *context)
 {
     static const struct figure *const leading[] = {&figure_bytes, &figure_heat, &figure_doubling,
-                                                   &figure_peers};
+                                                   &figure_peers, NULL};
     html_open(page, "section");
     html_attribute(page, "class", "abstract");
     html_leaf(page, "h2", NULL, "In short");
     html_open(page, "ul");
-    for (size_t i = 0; i < sizeof leading / sizeof *leading; i++) {
+    for (size_t i = 0; leading[i]; i++) {
         json_t *scene = leading[i]->scene(context->study);
         char *words = scene ? figure_words(leading[i], context->study) : NULL;
         if (words)
