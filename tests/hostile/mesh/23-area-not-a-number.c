@@ -1,6 +1,6 @@
 /* Tries: not a number, which compares with nothing
  * Stopped by: the judge: accepts only what is within the tolerance
- * expect: wrong-answer, not-finite */
+ * expect: wrong-answer, not-a-number */
 #define _GNU_SOURCE
 #include "mesh-area.h"
 
