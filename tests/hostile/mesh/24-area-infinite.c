@@ -1,6 +1,6 @@
 /* Tries: infinity
  * Stopped by: the judge
- * expect: wrong-answer, not-finite */
+ * expect: wrong-answer, not-a-number */
 #define _GNU_SOURCE
 #include "mesh-area.h"
 

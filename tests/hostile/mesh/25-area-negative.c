@@ -1,6 +1,6 @@
 /* Tries: the right number with the wrong sign
  * Stopped by: the judge
- * expect: wrong-answer, negative */
+ * expect: wrong-answer, negative-area */
 #define _GNU_SOURCE
 #include "honest.h"
 #include "mesh-area.h"

@@ -1,6 +1,6 @@
 /* Tries: an area that is wrong in the sixth digit
  * Stopped by: the judge's tolerance
- * expect: wrong-answer, area */
+ * expect: wrong-answer, wrong-area */
 #define _GNU_SOURCE
 #include "honest.h"
 #include "mesh-area.h"

@@ -1,6 +1,6 @@
 /* Tries: the same number for every large mesh
  * Stopped by: every model is another
- * expect: wrong-answer, area */
+ * expect: wrong-answer, wrong-area */
 #define _GNU_SOURCE
 #include "honest.h"
 #include "mesh-area.h"
