@@ -99,6 +99,7 @@ static void time_cell(struct html *page, const json_t *row)
     char time[32], ratio[80];
     const char *error = study_text(row, "error");
     html_open(page, "td");
+    html_attribute(page, "class", "time");
     study_time_words(study_time(row), time, sizeof time);
     ratio_words(json_object_get(row, "ratio"), ratio, sizeof ratio);
     html_text(page, *error ? "refused" : time);
