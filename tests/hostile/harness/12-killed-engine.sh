@@ -1,5 +1,5 @@
 # Tries: an engine that is killed while a submission runs for ever
-# Stopped by: the box dies with the engine
+# Stopped by: the box dies with the engine; the next engine removes its control groups
 # expect: nothing left
 
 . "$HOSTILE/scene.sh"
@@ -8,12 +8,14 @@ cp "$HOSTILE/honest.h" class/ana
 setsid "$MESHGRADE" grade class -o out --no-pictures -j 1 >/dev/null 2>&1 &
 engine=$!
 for _ in $(seq 600); do # until the submission is at work below the engine
-    pgrep -f '^submission$' -s "$engine" >/dev/null && break
+    ps -o args= -s "$engine" | grep -qx submission && break
     sleep 0.1
 done
 kill -9 "$engine"
 for _ in $(seq 100); do
-    pgrep -s "$engine" >/dev/null || break
+    ps -o stat= -s "$engine" | grep -qv Z || break
     sleep 0.1
 done
-if pgrep -s "$engine" >/dev/null; then echo "something left"; else echo "nothing left"; fi
+ps -o stat= -s "$engine" | grep -qv Z && echo "something left"
+"$MESHGRADE" check edge-table-closed --quick class/ana/edge-table-closed.c class/ana/honest.h >/dev/null 2>&1
+[ -z "$(find /sys/fs/cgroup -name "meshgrade.$engine.*")" ] && echo "nothing left"
