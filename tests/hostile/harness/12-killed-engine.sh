@@ -16,6 +16,6 @@ for _ in $(seq 100); do
     ps -o stat= -s "$engine" | grep -qv Z || break
     sleep 0.1
 done
-ps -o stat= -s "$engine" | grep -qv Z && echo "something left"
+left=$(ps -o stat= -s "$engine" | grep -v Z)
 "$MESHGRADE" check edge-table-closed --quick class/ana/edge-table-closed.c class/ana/honest.h >/dev/null 2>&1
-[ -z "$(find /sys/fs/cgroup -name "meshgrade.$engine.*")" ] && echo "nothing left"
+[ -z "$left" ] && echo "nothing left" || echo "something left"
