@@ -1,7 +1,7 @@
 /* Tries: to write the count box's dump itself, and to keep valgrind from writing over it
  * Stopped by: the dumps are there before the submission, which can neither replace nor close them
  * expect: grows-too-fast, n^2
- * expect(landlock+other-user): flagged, time-denies-counts */
+ * expect(landlock+other-user): crash, exit */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"

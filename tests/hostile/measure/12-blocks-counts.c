@@ -1,7 +1,7 @@
 /* Tries: folders where the count box's dumps should be
  * Stopped by: the dumps are there before the submission, which can make nothing
  * expect: passed
- * expect(landlock+other-user): flagged, no-counts */
+ * expect(landlock+other-user): crash, exit */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"

@@ -2,7 +2,7 @@
  * Stopped by: the dumps are there before the submission, which can make nothing; and the engine
  * follows no links
  * expect: passed
- * expect(landlock+other-user): flagged, no-counts */
+ * expect(landlock+other-user): crash, exit */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"
