@@ -233,10 +233,12 @@ static int check_counts(struct trial *trial, struct error *err)
             continue;
         for (int i = 0; i < SIZED_CHECKS; i++)
             check_say(&trial->checks[sized_checks[i]], VERDICT_FLAGGED, "time-denies-counts",
-                      "On the inputs %s the counted cost is %.2f times the reference's, but the "
-                      "time more than %.0f times: a person must look.",
+                      "On the inputs %s the counted cost is %.2f times the reference's, but on new "
+                      "meshes the time is more than %.0f times or an answer is wrong: a person "
+                      "must look.",
                       "Con las entradas %s el coste contado es %.2f veces el de la referencia, "
-                      "pero el tiempo más de %.0f veces: debe mirarlo una persona.",
+                      "pero con mallas nuevas el tiempo es más de %.0f veces o una respuesta es "
+                      "errónea: debe mirarlo una persona.",
                       trial->yardstick->judge->families[family], ratio, bound);
         return 0;
     }

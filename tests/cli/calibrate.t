@@ -1,6 +1,8 @@
 #!/bin/bash
 # meshgrade calibrate: its table and its JSON; how noisy the machine is decides nothing here.
 . "$(dirname "$0")/tap.sh"
+mkdir "$scratch/temporary"
+export TMPDIR=$scratch/temporary
 "$meshgrade" calibrate --trials 1 --json >"$scratch/noise.json" 2>"$scratch/err"
 ok "one trial of every kernel" [ $? -eq 0 ]
 python3 - "$scratch/noise.json" >"$scratch/said" <<'PYTHON'
@@ -18,5 +20,5 @@ ok "its JSON counts what was measured" matches "$scratch/said" '^sound$'
 ok "no trials are no calibration" exits_with 64 "$meshgrade" calibrate --trials 0 2>"$scratch/err"
 ok "operands are refused with a remedy" exits_with 64 "$meshgrade" calibrate now 2>"$scratch/err"
 ok "and it says so" matches "$scratch/err" 'takes no operands'
-ok "nothing is left in the scratch folder" [ -z "$(ls -d "${TMPDIR:-/tmp}"/meshgrade-calibrate-* 2>/dev/null)" ]
+ok "nothing is left in the scratch folder" [ -z "$(ls "$TMPDIR")" ]
 done_testing
