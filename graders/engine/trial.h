@@ -101,7 +101,8 @@ int trial_is_slower(struct trial *trial, int family, int size_index, double boun
                     struct error *err) MUST_CHECK;
 
 /* The same question about a bound that no honest submission comes near, asked of every submission:
- * one pair of runs within it answers no, a wrong answer yes. Meshes are drawn anew, told to nobody. */
+ * one pair of runs within it answers no, a wrong answer yes. Meshes are drawn anew, told to nobody.
+ */
 int trial_time_denies(struct trial *trial, int family, int size_index, double bound, bool *denied,
                       struct error *err) MUST_CHECK;
 
