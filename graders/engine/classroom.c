@@ -52,7 +52,7 @@ int grade_submission(struct yardstick *yardstick, const struct upload *upload,
 struct job {
     pid_t pid; /* 0: free */
     int pidfd, file;
-    int upload;
+    int lesson, upload;
     int try;
 };
 
@@ -198,67 +198,133 @@ static int is_graded(struct classroom *classroom, const struct upload *upload, b
     return 0;
 }
 
-/* ---------------------------------------------------------------- exercise */
+/* ----------------------------------------------------------------- lessons */
 
-/* The uploads of one exercise that are to be graded, as a queue. */
-struct queue {
+/* One exercise of the class: its yardstick, and the uploads that are to be graded, as a queue. */
+struct lesson {
+    const struct exercise *exercise;
+    struct yardstick yardstick;
+    bool made; /* the yardstick is there: a job may start */
     int *uploads;
-    int count, next;
+    int count, next, running;
 };
 
-static int fill_queue(struct classroom *classroom, const struct exercise *exercise,
-                      struct queue *queue, struct error *err)
+static int fill_queue(struct classroom *classroom, struct lesson *lesson, struct error *err)
 {
     const struct upload_list *list = classroom->uploads;
-    queue->uploads = calloc((size_t)list->count + 1, sizeof *queue->uploads);
-    if (!queue->uploads)
+    lesson->uploads = calloc((size_t)list->count + 1, sizeof *lesson->uploads);
+    if (!lesson->uploads)
         return error_set(err, "out of memory");
     for (int i = 0; i < list->count; i++) {
         const struct upload *upload = &list->uploads[i];
         bool graded;
-        if (!upload->exercise || strcmp(upload->exercise, exercise->name) != 0)
+        if (!upload->exercise || strcmp(upload->exercise, lesson->exercise->name) != 0)
             continue;
         if (is_graded(classroom, upload, &graded, err) != 0)
             return -1;
         if (graded)
             classroom->done++;
         else if (!upload->refusal.refused)
-            queue->uploads[queue->count++] = i;
-        else if (keep_without_trial(classroom, exercise, upload, VERDICT_COMPILE_ERROR,
+            lesson->uploads[lesson->count++] = i;
+        else if (keep_without_trial(classroom, lesson->exercise, upload, VERDICT_COMPILE_ERROR,
                                     &upload->refusal, err) != 0)
             return -1;
     }
     return 0;
 }
 
-/* Waits until one of the jobs ends and deals with it: stores, or starts it a second time. */
-static int settle_one(struct classroom *classroom, struct yardstick *yardstick, struct job *jobs,
+static void close_lesson(struct lesson *lesson)
+{
+    if (lesson->made)
+        yardstick_release(&lesson->yardstick);
+    lesson->made = false;
+}
+
+static int open_lesson(struct lesson *lesson, struct error *err)
+{
+    lesson->made = true; /* what was made in part is released, too */
+    if (yardstick_make(&lesson->yardstick, lesson->exercise, false, err) != 0)
+        return -1;
+    return yardstick_make_cases(&lesson->yardstick, false, err);
+}
+
+/* -------------------------------------------------------------------- plan */
+
+/* The lessons in their order, and the jobs at work. The last submissions of a lesson run on while
+ * the next one's yardstick is made: a slow one keeps one core busy, not the class waiting. */
+struct plan {
+    struct lesson *lessons;
+    int lesson_count, open; /* the lesson whose queue is being worked off */
+    struct job jobs[JOBS_MAX];
+    int running;
+};
+
+static int start_next(struct classroom *classroom, struct plan *plan, struct job *job,
                       struct error *err)
 {
-    struct pollfd ends[JOBS_MAX];
-    struct outcome outcome;
-    struct error fault;
-    for (int i = 0; i < classroom->job_count; i++)
-        ends[i] = (struct pollfd){.fd = jobs[i].pid ? jobs[i].pidfd : -1, .events = POLLIN};
-    while (poll(ends, (nfds_t)classroom->job_count, -1) < 0 && errno == EINTR)
-        continue;
+    struct lesson *lesson = &plan->lessons[plan->open];
+    if (!lesson->made && open_lesson(lesson, err) != 0)
+        return -1;
+    *job = (struct job){.lesson = plan->open, .upload = lesson->uploads[lesson->next++]};
+    lesson->running++;
+    plan->running++;
+    return start_job(job, &lesson->yardstick, &classroom->uploads->uploads[job->upload], err);
+}
+
+/* Gives every free job something to do, as long as there is anything. */
+static int start_jobs(struct classroom *classroom, struct plan *plan, struct error *err)
+{
     for (int i = 0; i < classroom->job_count; i++) {
-        struct job *job = &jobs[i];
-        if (!job->pid || !(ends[i].revents & POLLIN))
-            continue;
-        const struct upload *upload = &classroom->uploads->uploads[job->upload];
-        finish_job(job, &outcome, &fault);
-        int result = 0;
-        if (outcome.result)
-            result = keep_outcome(classroom, upload, &outcome, err);
-        else if (++job->try < TRIES)
-            result = start_job(job, yardstick, upload, err);
-        else
-            result = keep_fault(classroom, yardstick->exercise, upload, &fault, err);
-        outcome_release(&outcome);
-        if (result != 0)
+        while (plan->open < plan->lesson_count &&
+               plan->lessons[plan->open].next == plan->lessons[plan->open].count)
+            plan->open++;
+        if (plan->open == plan->lesson_count)
+            return 0;
+        if (!plan->jobs[i].pid && start_next(classroom, plan, &plan->jobs[i], err) != 0)
             return -1;
     }
+    return 0;
+}
+
+/* Deals with a job that ended: stores its outcome, or starts it a second time. */
+static int settle(struct classroom *classroom, struct plan *plan, struct job *job,
+                  struct error *err)
+{
+    struct lesson *lesson = &plan->lessons[job->lesson];
+    const struct upload *upload = &classroom->uploads->uploads[job->upload];
+    struct outcome outcome;
+    struct error fault;
+    int result = 0;
+    finish_job(job, &outcome, &fault);
+    bool again = !outcome.result && ++job->try < TRIES;
+    if (again)
+        result = start_job(job, &lesson->yardstick, upload, err);
+    else if (outcome.result)
+        result = keep_outcome(classroom, upload, &outcome, err);
+    else
+        result = keep_fault(classroom, lesson->exercise, upload, &fault, err);
+    outcome_release(&outcome);
+    if (again)
+        return result;
+    plan->running--;
+    if (--lesson->running == 0 && lesson->next == lesson->count)
+        close_lesson(lesson);
+    return result;
+}
+
+/* Waits until a job ends, and settles all that ended. */
+static int settle_some(struct classroom *classroom, struct plan *plan, struct error *err)
+{
+    struct pollfd ends[JOBS_MAX];
+    for (int i = 0; i < classroom->job_count; i++)
+        ends[i] =
+            (struct pollfd){.fd = plan->jobs[i].pid ? plan->jobs[i].pidfd : -1, .events = POLLIN};
+    while (poll(ends, (nfds_t)classroom->job_count, -1) < 0 && errno == EINTR)
+        continue;
+    for (int i = 0; i < classroom->job_count; i++)
+        if (plan->jobs[i].pid && (ends[i].revents & POLLIN) &&
+            settle(classroom, plan, &plan->jobs[i], err) != 0)
+            return -1;
     return 0;
 }
 
@@ -275,43 +341,36 @@ static void abandon_jobs(struct job *jobs, int count)
     }
 }
 
-static int run_queue(struct classroom *classroom, struct yardstick *yardstick, struct queue *queue,
-                     struct error *err)
+static int run_plan(struct classroom *classroom, struct plan *plan, struct error *err)
 {
-    struct job jobs[JOBS_MAX] = {{0}};
-    int result = 0, running = 0;
-    while (result == 0 && (queue->next < queue->count || running > 0)) {
-        running = 0;
-        for (int i = 0; i < classroom->job_count && result == 0; i++) {
-            if (!jobs[i].pid && queue->next < queue->count) {
-                jobs[i] = (struct job){.upload = queue->uploads[queue->next++]};
-                result = start_job(&jobs[i], yardstick,
-                                   &classroom->uploads->uploads[jobs[i].upload], err);
-            }
-            running += jobs[i].pid != 0;
-        }
-        if (result == 0 && running > 0)
-            result = settle_one(classroom, yardstick, jobs, err);
+    int result = start_jobs(classroom, plan, err);
+    while (result == 0 && plan->running > 0) {
+        result = settle_some(classroom, plan, err);
+        if (result == 0)
+            result = start_jobs(classroom, plan, err);
     }
-    abandon_jobs(jobs, classroom->job_count);
+    abandon_jobs(plan->jobs, classroom->job_count);
     return result;
 }
 
-static int grade_exercise(struct classroom *classroom, const struct exercise *exercise,
-                          struct error *err)
+static int grade_lessons(struct classroom *classroom, struct error *err)
 {
-    struct queue queue = {0};
-    int result = fill_queue(classroom, exercise, &queue, err);
-    if (result == 0 && queue.count > 0) {
-        struct yardstick yardstick;
-        result = yardstick_make(&yardstick, exercise, false, err);
-        if (result == 0)
-            result = yardstick_make_cases(&yardstick, false, err);
-        if (result == 0)
-            result = run_queue(classroom, &yardstick, &queue, err);
-        yardstick_release(&yardstick);
+    struct plan plan = {.lesson_count = classroom->exercise_count};
+    int result = 0;
+    plan.lessons = calloc((size_t)plan.lesson_count + 1, sizeof *plan.lessons);
+    if (!plan.lessons)
+        return error_set(err, "out of memory");
+    for (int i = 0; i < plan.lesson_count && result == 0; i++) {
+        plan.lessons[i].exercise = &classroom->exercises[i];
+        result = fill_queue(classroom, &plan.lessons[i], err);
     }
-    free(queue.uploads);
+    if (result == 0)
+        result = run_plan(classroom, &plan, err);
+    for (int i = 0; i < plan.lesson_count; i++) {
+        close_lesson(&plan.lessons[i]);
+        free(plan.lessons[i].uploads);
+    }
+    free(plan.lessons);
     return result;
 }
 
@@ -352,8 +411,5 @@ int classroom_grade(struct classroom *classroom, struct error *err)
         return -1;
     if (keep_unknown(classroom, err) != 0)
         return -1;
-    for (int i = 0; i < classroom->exercise_count; i++)
-        if (grade_exercise(classroom, &classroom->exercises[i], err) != 0)
-            return -1;
-    return 0;
+    return grade_lessons(classroom, err);
 }

@@ -3,6 +3,7 @@
  *   for each exercise: make the yardstick (reference built, run and counted once)
  *     for each submission that the store does not have yet: a child grades it and hands back JSON,
  *     the parent stores it in one transaction
+ *   the last children of an exercise run on while the next yardstick is made
  *
  * Killed at any moment, the next run goes on where this one stopped, and ends with the same
  * results. A fault is tried again once; then it is stored as a fault, which is never scored. */
