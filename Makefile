@@ -328,12 +328,18 @@ C_FILES = $(shell git ls-files '*.c' '*.h' 2>/dev/null | grep -v '^tests/submiss
 CXX_FILES = $(shell git ls-files '*.cpp' '*.hpp' 2>/dev/null)
 LINT_SOURCES = $(filter %.c,$(LIBRARY_SOURCES) graders/meshgrade.c $(wildcard graders/commands/*.c))
 
-lint: all ## clang-format, clang-tidy, cppcheck, gcc -fanalyzer
-	@clang-format --dry-run -Werror $(C_FILES) $(CXX_FILES)
-	@clang-tidy --quiet $(LINT_SOURCES) -- $(CFLAGS) 2>/dev/null
+# One stamp a file, so that files are looked at on all cores and again only when they have changed.
+LINT_STAMPS = $(LINT_SOURCES:%=build/lint/%.ok)
+build/lint/%.ok: % .clang-tidy
+	@mkdir -p $(@D)
+	$(call SHOW,LINT $<)clang-tidy --quiet $< -- $(CFLAGS) 2>$@.log || { cat $@.log; exit 1; }
 	@cppcheck --quiet --error-exitcode=1 --enable=warning,portability --inline-suppr -I. \
-	  --suppress=internalAstError $(LINT_SOURCES)
-	@for f in $(LINT_SOURCES); do $(CC) $(CFLAGS) -Werror -fanalyzer -Wno-analyzer-malloc-leak -c $$f -o /dev/null; done
+	  --suppress=internalAstError $<
+	@$(CC) $(CFLAGS) -Werror -fanalyzer -Wno-analyzer-malloc-leak -MMD -MP -MF build/lint/$*.d -MT $@ \
+	  -c $< -o /dev/null
+	@touch $@
+lint: all $(LINT_STAMPS) ## clang-format, clang-tidy, cppcheck, gcc -fanalyzer
+	@clang-format --dry-run -Werror $(C_FILES) $(CXX_FILES)
 
 format: ## lay out every C and C++ file
 	@clang-format -i $(C_FILES) $(CXX_FILES)

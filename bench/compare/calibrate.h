@@ -3,15 +3,15 @@
  * Two fresh processes of the same program take part in each block; `blocks_per_trial` blocks are a
  * trial, as in a bench run, and give a median ratio with its interval. The truth is 1. A false
  * alarm is an interval that leaves 1 out; the worst estimate is the median farthest from 1. The
- * sign test's interval of six blocks has a confidence of 97 %, so some 3 % of false alarms are its
- * due. */
+ * sign test's interval of twelve blocks has a confidence of 96 %, so some 4 % of false alarms are
+ * its due. */
 #ifndef BENCH_COMPARE_CALIBRATE_H
 #define BENCH_COMPARE_CALIBRATE_H
 
 #include "bench/compare/meshes.h"
 #include "bench/measure/block.h"
 
-enum { CALIBRATION_BLOCKS_PER_TRIAL = 6, CALIBRATION_TRIALS_MAX = 200 };
+enum { CALIBRATION_BLOCKS_PER_TRIAL = 12, CALIBRATION_TRIALS_MAX = 200 };
 
 struct calibration_row {
     char mesh[48], operation[40];
@@ -39,7 +39,7 @@ struct calibration_wish {
  *
  * rows     room for BLOCK_OPERATIONS_MAX, one an operation of the worker; *row_count gets how many
  * returns  0, or -1 and *err: no snapshot could be made, a worker refused or failed
- * Cost: trials * 6 blocks of some 0.3 s on 100,000 triangles */
+ * Cost: trials * 12 blocks of some 0.3 s on 100,000 triangles */
 int calibrate(const struct calibration_wish *wish, struct calibration_row *rows, int *row_count,
               struct error *err) MUST_CHECK;
 

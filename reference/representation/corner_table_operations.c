@@ -3,8 +3,8 @@
 #include "reference/representation/corner_table.h"
 #include "reference/representation/triangle_sweeps.h"
 #include "reference/representation/vector.h"
+#include "reference/representation/vertex_walk.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 extern const struct representation representation_corner_table;
@@ -105,32 +105,29 @@ static int64_t edges(const void *self, int32_t *pairs, struct error *err)
 }
 
 /* On the boundary the corner of a vertex starts the boundary side that leaves it. */
+static int32_t next_on_boundary(const void *self, int32_t vertex)
+{
+    const struct corner_table *table = self;
+    return table->vertex[corner_next(table->vertex_corner[vertex])];
+}
+
+static bool is_on_boundary(const void *self, int32_t vertex)
+{
+    const struct corner_table *table = self;
+    return corner_table_on_boundary(table, vertex);
+}
+
 static int32_t boundary_loops(const void *self, int32_t *vertices, int32_t *loop_starts,
                               struct error *err)
 {
-    const struct corner_table *table = self;
-    uint8_t *visited = calloc((size_t)table->vertex_count + 1, 1);
-    if (!visited)
-        return error_set(err, "out of memory: boundary loops of %d vertices", table->vertex_count);
-    int32_t count = 0, loops = 0;
-    for (int32_t first = 0; first < table->vertex_count; first++) {
-        if (visited[first] || !corner_table_on_boundary(table, first))
-            continue;
-        loop_starts[loops++] = count;
-        for (int32_t v = first; !visited[v];
-             v = table->vertex[corner_next(table->vertex_corner[v])]) {
-            visited[v] = 1;
-            vertices[count++] = v;
-        }
-    }
-    loop_starts[loops] = count;
-    free(visited);
-    return loops;
+    return walk_boundary_loops(self, vertex_count(self), is_on_boundary, next_on_boundary, vertices,
+                               loop_starts, err);
 }
 
 /* Mean of the vertices around one that is not on the boundary. */
-static struct vector mean_around(const struct corner_table *table, int32_t vertex)
+static struct vector mean_around(const void *self, int32_t vertex)
 {
+    const struct corner_table *table = self;
     struct vector sum = {0.0, 0.0, 0.0};
     int32_t first = table->vertex_corner[vertex], c = first, count = 0;
     do {
@@ -141,21 +138,16 @@ static struct vector mean_around(const struct corner_table *table, int32_t verte
     return vector_scale(sum, 1.0 / count);
 }
 
+static bool is_inside(const void *self, int32_t vertex)
+{
+    const struct corner_table *table = self;
+    return table->vertex_corner[vertex] >= 0 && !corner_table_on_boundary(table, vertex);
+}
+
 static int smooth(void *self, struct error *err)
 {
     const struct corner_table *table = self;
-    size_t size = 3 * (size_t)table->vertex_count * sizeof(float);
-    float *moved = malloc(size + 1);
-    if (!moved)
-        return error_set(err, "out of memory: smoothing %d vertices", table->vertex_count);
-    for (int32_t v = 0; v < table->vertex_count; v++) {
-        bool stays = table->vertex_corner[v] < 0 || corner_table_on_boundary(table, v);
-        vector_put(moved, v, stays ? vector_at(table->positions, v) : mean_around(table, v));
-    }
-    if (table->vertex_count)
-        memcpy(table->positions, moved, size);
-    free(moved);
-    return 0;
+    return walk_smooth(self, table->positions, table->vertex_count, is_inside, mean_around, err);
 }
 
 /* -- queries -------------------------------------------------------------------------------- */

@@ -3,9 +3,9 @@
 #include "reference/representation/directed_edges.h"
 #include "reference/representation/triangle_sweeps.h"
 #include "reference/representation/vector.h"
+#include "reference/representation/vertex_walk.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 extern const struct representation representation_directed_edges;
 
@@ -128,8 +128,9 @@ static int32_t boundary_loops(const void *self, int32_t *vertices, int32_t *loop
 }
 
 /* Mean of the vertices around one that is not on the boundary. */
-static struct vector mean_around(const struct directed_edge_mesh *de, int32_t vertex)
+static struct vector mean_around(const void *self, int32_t vertex)
 {
+    const struct directed_edge_mesh *de = self;
     struct vector sum = {0.0, 0.0, 0.0};
     int32_t first = de->vertex_edge[vertex], e = first, count = 0;
     do {
@@ -140,21 +141,16 @@ static struct vector mean_around(const struct directed_edge_mesh *de, int32_t ve
     return vector_scale(sum, 1.0 / count);
 }
 
+static bool is_inside(const void *self, int32_t vertex)
+{
+    const struct directed_edge_mesh *de = self;
+    return de->vertex_edge[vertex] >= 0 && !directed_edge_on_boundary(de, vertex);
+}
+
 static int smooth(void *self, struct error *err)
 {
     const struct directed_edge_mesh *de = self;
-    size_t size = 3 * (size_t)de->vertex_count * sizeof(float);
-    float *moved = malloc(size + 1);
-    if (!moved)
-        return error_set(err, "out of memory: smoothing %d vertices", de->vertex_count);
-    for (int32_t v = 0; v < de->vertex_count; v++) {
-        bool stays = de->vertex_edge[v] < 0 || directed_edge_on_boundary(de, v);
-        vector_put(moved, v, stays ? vector_at(de->positions, v) : mean_around(de, v));
-    }
-    if (de->vertex_count)
-        memcpy(de->positions, moved, size);
-    free(moved);
-    return 0;
+    return walk_smooth(self, de->positions, de->vertex_count, is_inside, mean_around, err);
 }
 
 /* -- queries -------------------------------------------------------------------------------- */

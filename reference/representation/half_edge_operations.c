@@ -3,9 +3,7 @@
 #include "reference/representation/half_edge.h"
 #include "reference/representation/triangle_sweeps.h"
 #include "reference/representation/vector.h"
-
-#include <stdlib.h>
-#include <string.h>
+#include "reference/representation/vertex_walk.h"
 
 extern const struct representation representation_half_edge;
 
@@ -117,31 +115,29 @@ static int64_t edges(const void *self, int32_t *pairs, struct error *err)
 }
 
 /* From a vertex of the boundary its half edge leads on, the way the faces run. */
+static int32_t next_on_boundary(const void *self, int32_t vertex)
+{
+    const struct half_edge_mesh *he = self;
+    return half_edge_end(he, he->vertex_half_edge[vertex]);
+}
+
+static bool is_on_boundary(const void *self, int32_t vertex)
+{
+    const struct half_edge_mesh *he = self;
+    return half_edge_on_boundary(he, vertex);
+}
+
 static int32_t boundary_loops(const void *self, int32_t *vertices, int32_t *loop_starts,
                               struct error *err)
 {
-    const struct half_edge_mesh *he = self;
-    uint8_t *visited = calloc((size_t)he->vertex_count + 1, 1);
-    if (!visited)
-        return error_set(err, "out of memory: boundary loops of %d vertices", he->vertex_count);
-    int32_t count = 0, loops = 0;
-    for (int32_t first = 0; first < he->vertex_count; first++) {
-        if (visited[first] || !half_edge_on_boundary(he, first))
-            continue;
-        loop_starts[loops++] = count;
-        for (int32_t v = first; !visited[v]; v = half_edge_end(he, he->vertex_half_edge[v])) {
-            visited[v] = 1;
-            vertices[count++] = v;
-        }
-    }
-    loop_starts[loops] = count;
-    free(visited);
-    return loops;
+    return walk_boundary_loops(self, vertex_count(self), is_on_boundary, next_on_boundary, vertices,
+                               loop_starts, err);
 }
 
 /* Mean of the vertices around one that is not on the boundary. */
-static struct vector mean_around(const struct half_edge_mesh *he, int32_t vertex)
+static struct vector mean_around(const void *self, int32_t vertex)
 {
+    const struct half_edge_mesh *he = self;
     struct vector sum = {0.0, 0.0, 0.0};
     int32_t first = he->vertex_half_edge[vertex], h = first, count = 0;
     do {
@@ -153,21 +149,16 @@ static struct vector mean_around(const struct half_edge_mesh *he, int32_t vertex
     return vector_scale(sum, 1.0 / count);
 }
 
+static bool is_inside(const void *self, int32_t vertex)
+{
+    const struct half_edge_mesh *he = self;
+    return he->vertex_half_edge[vertex] >= 0 && !half_edge_on_boundary(he, vertex);
+}
+
 static int smooth(void *self, struct error *err)
 {
     const struct half_edge_mesh *he = self;
-    size_t size = 3 * (size_t)he->vertex_count * sizeof(float);
-    float *moved = malloc(size + 1);
-    if (!moved)
-        return error_set(err, "out of memory: smoothing %d vertices", he->vertex_count);
-    for (int32_t v = 0; v < he->vertex_count; v++) {
-        bool stays = he->vertex_half_edge[v] < 0 || half_edge_on_boundary(he, v);
-        vector_put(moved, v, stays ? vector_at(he->positions, v) : mean_around(he, v));
-    }
-    if (he->vertex_count)
-        memcpy(he->positions, moved, size);
-    free(moved);
-    return 0;
+    return walk_smooth(self, he->positions, he->vertex_count, is_inside, mean_around, err);
 }
 
 /* -- queries -------------------------------------------------------------------------------- */

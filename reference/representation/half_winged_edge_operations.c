@@ -4,9 +4,7 @@
 #include "reference/representation/half_winged_edge.h"
 #include "reference/representation/triangle_sweeps.h"
 #include "reference/representation/vector.h"
-
-#include <stdlib.h>
-#include <string.h>
+#include "reference/representation/vertex_walk.h"
 
 extern const struct representation representation_half_winged_edge;
 
@@ -132,31 +130,29 @@ static int64_t edges(const void *self, int32_t *pairs, struct error *err)
 }
 
 /* From a vertex of the boundary its half edge leads on, the way the faces run. */
+static int32_t next_on_boundary(const void *self, int32_t vertex)
+{
+    const struct half_winged_edge_mesh *hw = self;
+    return hw->half_edges[hw->vertex_half_edge[vertex]].end;
+}
+
+static bool is_on_boundary(const void *self, int32_t vertex)
+{
+    const struct half_winged_edge_mesh *hw = self;
+    return half_winged_edge_on_boundary(hw, vertex);
+}
+
 static int32_t boundary_loops(const void *self, int32_t *vertices, int32_t *loop_starts,
                               struct error *err)
 {
-    const struct half_winged_edge_mesh *hw = self;
-    uint8_t *visited = calloc((size_t)hw->vertex_count + 1, 1);
-    if (!visited)
-        return error_set(err, "out of memory: boundary loops of %d vertices", hw->vertex_count);
-    int32_t count = 0, loops = 0;
-    for (int32_t first = 0; first < hw->vertex_count; first++) {
-        if (visited[first] || !half_winged_edge_on_boundary(hw, first))
-            continue;
-        loop_starts[loops++] = count;
-        for (int32_t v = first; !visited[v]; v = hw->half_edges[hw->vertex_half_edge[v]].end) {
-            visited[v] = 1;
-            vertices[count++] = v;
-        }
-    }
-    loop_starts[loops] = count;
-    free(visited);
-    return loops;
+    return walk_boundary_loops(self, vertex_count(self), is_on_boundary, next_on_boundary, vertices,
+                               loop_starts, err);
 }
 
 /* Mean of the vertices around one that is not on the boundary. */
-static struct vector mean_around(const struct half_winged_edge_mesh *hw, int32_t vertex)
+static struct vector mean_around(const void *self, int32_t vertex)
 {
+    const struct half_winged_edge_mesh *hw = self;
     struct vector sum = {0.0, 0.0, 0.0};
     int32_t first = hw->vertex_half_edge[vertex], h = first, count = 0;
     do {
@@ -167,21 +163,16 @@ static struct vector mean_around(const struct half_winged_edge_mesh *hw, int32_t
     return vector_scale(sum, 1.0 / count);
 }
 
+static bool is_inside(const void *self, int32_t vertex)
+{
+    const struct half_winged_edge_mesh *hw = self;
+    return hw->vertex_half_edge[vertex] >= 0 && !half_winged_edge_on_boundary(hw, vertex);
+}
+
 static int smooth(void *self, struct error *err)
 {
     const struct half_winged_edge_mesh *hw = self;
-    size_t size = 3 * (size_t)hw->vertex_count * sizeof(float);
-    float *moved = malloc(size + 1);
-    if (!moved)
-        return error_set(err, "out of memory: smoothing %d vertices", hw->vertex_count);
-    for (int32_t v = 0; v < hw->vertex_count; v++) {
-        bool stays = hw->vertex_half_edge[v] < 0 || half_winged_edge_on_boundary(hw, v);
-        vector_put(moved, v, stays ? vector_at(hw->positions, v) : mean_around(hw, v));
-    }
-    if (hw->vertex_count)
-        memcpy(hw->positions, moved, size);
-    free(moved);
-    return 0;
+    return walk_smooth(self, hw->positions, hw->vertex_count, is_inside, mean_around, err);
 }
 
 /* -- queries -------------------------------------------------------------------------------- */

@@ -2,10 +2,8 @@
 #include "reference/representation/by_faces.h"
 #include "reference/representation/triangle_sweeps.h"
 #include "reference/representation/vector.h"
+#include "reference/representation/vertex_walk.h"
 #include "reference/representation/winged_edge.h"
-
-#include <stdlib.h>
-#include <string.h>
 
 extern const struct representation representation_winged_edge;
 
@@ -111,32 +109,29 @@ static int64_t edges(const void *self, int32_t *pairs, struct error *err)
 }
 
 /* From a vertex of the boundary its edge leads on, the way the faces run. */
+static int32_t next_on_boundary(const void *self, int32_t vertex)
+{
+    const struct winged_edge_mesh *we = self;
+    return winged_edge_end(we, winged_edge_of_vertex(we, vertex));
+}
+
+static bool is_on_boundary(const void *self, int32_t vertex)
+{
+    const struct winged_edge_mesh *we = self;
+    return winged_edge_on_boundary(we, vertex);
+}
+
 static int32_t boundary_loops(const void *self, int32_t *vertices, int32_t *loop_starts,
                               struct error *err)
 {
-    const struct winged_edge_mesh *we = self;
-    uint8_t *visited = calloc((size_t)we->vertex_count + 1, 1);
-    if (!visited)
-        return error_set(err, "out of memory: boundary loops of %d vertices", we->vertex_count);
-    int32_t count = 0, loops = 0;
-    for (int32_t first = 0; first < we->vertex_count; first++) {
-        if (visited[first] || !winged_edge_on_boundary(we, first))
-            continue;
-        loop_starts[loops++] = count;
-        for (int32_t v = first; !visited[v];
-             v = winged_edge_end(we, winged_edge_of_vertex(we, v))) {
-            visited[v] = 1;
-            vertices[count++] = v;
-        }
-    }
-    loop_starts[loops] = count;
-    free(visited);
-    return loops;
+    return walk_boundary_loops(self, vertex_count(self), is_on_boundary, next_on_boundary, vertices,
+                               loop_starts, err);
 }
 
 /* Mean of the vertices around one that is not on the boundary. */
-static struct vector mean_around(const struct winged_edge_mesh *we, int32_t vertex)
+static struct vector mean_around(const void *self, int32_t vertex)
 {
+    const struct winged_edge_mesh *we = self;
     struct vector sum = {0.0, 0.0, 0.0};
     struct winged_side first = winged_edge_of_vertex(we, vertex), side = first;
     int32_t count = 0;
@@ -148,21 +143,16 @@ static struct vector mean_around(const struct winged_edge_mesh *we, int32_t vert
     return vector_scale(sum, 1.0 / count);
 }
 
+static bool is_inside(const void *self, int32_t vertex)
+{
+    const struct winged_edge_mesh *we = self;
+    return we->vertex_edge[vertex] >= 0 && !winged_edge_on_boundary(we, vertex);
+}
+
 static int smooth(void *self, struct error *err)
 {
     const struct winged_edge_mesh *we = self;
-    size_t size = 3 * (size_t)we->vertex_count * sizeof(float);
-    float *moved = malloc(size + 1);
-    if (!moved)
-        return error_set(err, "out of memory: smoothing %d vertices", we->vertex_count);
-    for (int32_t v = 0; v < we->vertex_count; v++) {
-        bool stays = we->vertex_edge[v] < 0 || winged_edge_on_boundary(we, v);
-        vector_put(moved, v, stays ? vector_at(we->positions, v) : mean_around(we, v));
-    }
-    if (we->vertex_count)
-        memcpy(we->positions, moved, size);
-    free(moved);
-    return 0;
+    return walk_smooth(self, we->positions, we->vertex_count, is_inside, mean_around, err);
 }
 
 /* -- queries -------------------------------------------------------------------------------- */
