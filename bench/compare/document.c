@@ -1,6 +1,7 @@
 /* bench.json; see document.h. */
 #include "bench/compare/document.h"
 
+#include "bench/compare/goals.h"
 #include "bench/compare/rows.h"
 
 #include <errno.h>
@@ -74,11 +75,12 @@ json_t *bench_document_make(const struct plan *plan, const struct journal *journ
     strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%S%z", localtime_r(&now, &parts));
     json_t *rows = rows_of(plan, journal, facts->copy, facts->copy_count);
     json_t *claims = facts->claims ? facts->claims : json_array();
-    json_t *document = json_pack(
-        "{s:s, s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o}", "schema", "meshgrade-bench-1",
-        "version", facts->version, "date", date, "mode", facts->mode, "complete",
-        is_complete(plan, journal), "machine", machine_json(facts), "noise", rows_noise(rows),
-        "meshes", meshes_json(plan, journal), "rows", rows, "claims", claims);
+    json_t *document =
+        json_pack("{s:s, s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:o}", "schema",
+                  "meshgrade-bench-1", "version", facts->version, "date", date, "mode", facts->mode,
+                  "complete", is_complete(plan, journal), "machine", machine_json(facts), "noise",
+                  rows_noise(rows), "meshes", meshes_json(plan, journal), "goals", goals_of(rows),
+                  "rows", rows, "claims", claims);
     if (!document)
         error_set(err, "out of memory: the results");
     return document;

@@ -1,56 +1,11 @@
 /* bench.json as tables to read; see table.h. */
 #include "bench/compare/table.h"
 
+#include "bench/compare/table_parts.h"
+
 #include <string.h>
 
-enum { NUMBER = 24, NAME_WIDTH = 27 };
-
-struct table {
-    FILE *to;
-    bool bold;
-    bool has_noisy, has_refused, has_equal, has_different; /* what the closing lines must explain */
-};
-
-/* ---- numbers ---- */
-
-static double number(const json_t *object, const char *key)
-{
-    return json_number_value(json_object_get(object, key));
-}
-
-static const char *text(const json_t *object, const char *key)
-{
-    const char *found = json_string_value(json_object_get(object, key));
-    return found ? found : "";
-}
-
-/* Three digits or so. */
-static void write_digits(char *out, double value)
-{
-    snprintf(out, NUMBER, "%.*f", value < 10 ? 2 : value < 100 ? 1 : 0, value);
-}
-
-/* A time with its unit where it is not some ns. */
-static void write_time(char *out, double ns)
-{
-    char digits[NUMBER];
-    double scale = ns < 1e4 ? 1 : ns < 1e7 ? 1e3 : 1e6;
-    write_digits(digits, ns / scale);
-    snprintf(out, NUMBER, "%.12s%s", digits, ns < 1e4 ? "" : ns < 1e7 ? " us" : " ms");
-}
-
-/* 1,234,567 */
-static void write_grouped(char *out, long long value)
-{
-    char digits[NUMBER];
-    int length = snprintf(digits, sizeof digits, "%lld", value), at = 0;
-    for (int i = 0; i < length && at < NUMBER - 2; i++) {
-        if (i > 0 && (length - i) % 3 == 0)
-            out[at++] = ',';
-        out[at++] = digits[i];
-    }
-    out[at] = '\0';
-}
+enum { NUMBER = TABLE_NUMBER, NAME_WIDTH = 27 };
 
 /* ---- the machine ---- */
 
@@ -58,24 +13,25 @@ static void write_machine(const struct table *table, const json_t *document)
 {
     const json_t *machine = json_object_get(document, "machine"), *item;
     size_t i;
-    fprintf(table->to, "%s, %d core%s%s, %.0f GiB, %s, %s\n", text(machine, "cpu"),
-            (int)number(machine, "cores"), number(machine, "cores") > 1 ? "s" : "",
+    fprintf(table->to, "%s, %d core%s%s, %.0f GiB, %s, %s\n", table_text(machine, "cpu"),
+            (int)table_number(machine, "cores"), table_number(machine, "cores") > 1 ? "s" : "",
             json_is_true(json_object_get(machine, "hypervisor")) ? " of a virtual machine" : "",
-            number(machine, "ram_bytes") / (1 << 30), text(machine, "kernel"),
-            text(machine, "compiler"));
+            table_number(machine, "ram_bytes") / (1 << 30), table_text(machine, "kernel"),
+            table_text(machine, "compiler"));
     fputs("caches", table->to);
     json_array_foreach(json_object_get(machine, "caches"), i, item)
     {
-        double kib = number(item, "bytes") / 1024;
-        if (strcmp(text(item, "type"), "Instruction") != 0)
-            fprintf(table->to, "%s L%d %.0f %s", i ? "," : "", (int)number(item, "level"),
+        double kib = table_number(item, "bytes") / 1024;
+        if (strcmp(table_text(item, "type"), "Instruction") != 0)
+            fprintf(table->to, "%s L%d %.0f %s", i ? "," : "", (int)table_number(item, "level"),
                     kib < 1024 ? kib : kib / 1024, kib < 1024 ? "KiB" : "MiB");
     }
     fputs("\ncopies", table->to);
     json_array_foreach(json_object_get(machine, "copy"), i, item)
     {
         fprintf(table->to, "%s %.0f MiB at %.0f GB/s", i ? "," : "",
-                number(item, "bytes") / (1 << 20), number(item, "gigabytes_per_second"));
+                table_number(item, "bytes") / (1 << 20),
+                table_number(item, "gigabytes_per_second"));
     }
     fputs(" (the faster of memcpy and stores past the caches)\n", table->to);
 }
@@ -83,20 +39,20 @@ static void write_machine(const struct table *table, const json_t *document)
 static void write_title(const struct table *table, const json_t *document, const json_t *row)
 {
     char triangles[NUMBER], vertices[NUMBER];
-    const char *what = text(row, "what");
+    const char *what = table_text(row, "what");
     size_t i;
     const json_t *mesh;
-    write_grouped(triangles, (long long)number(row, "triangles"));
-    write_grouped(vertices, (long long)number(row, "vertices"));
+    table_grouped(triangles, (long long)table_number(row, "triangles"));
+    table_grouped(vertices, (long long)table_number(row, "vertices"));
     fprintf(table->to, "\n%s%c%s on %s%s: %s triangles, %s vertices", table->bold ? "\033[1m" : "",
-            what[0] - 'a' + 'A', what + 1, text(row, "mesh"), table->bold ? "\033[0m" : "",
+            what[0] - 'a' + 'A', what + 1, table_text(row, "mesh"), table->bold ? "\033[0m" : "",
             triangles, vertices);
     json_array_foreach(json_object_get(document, "meshes"), i, mesh)
     {
-        if (strcmp(text(mesh, "name"), text(row, "mesh")) == 0)
+        if (strcmp(table_text(mesh, "name"), table_text(row, "mesh")) == 0)
             fprintf(table->to, ", %s, valence <= %.0f",
-                    number(mesh, "boundary_edges") > 0 ? "open" : "closed",
-                    number(mesh, "highest_valence"));
+                    table_number(mesh, "boundary_edges") > 0 ? "open" : "closed",
+                    table_number(mesh, "highest_valence"));
     }
     fputs("\n", table->to);
 }
@@ -126,10 +82,10 @@ static const json_t *find_row(const json_t *rows, const json_t *like, const char
     const json_t *row;
     json_array_foreach(rows, i, row)
     {
-        if (strcmp(text(row, "operation"), operation) == 0 &&
-            strcmp(text(row, "subject"), text(like, "subject")) == 0 &&
-            strcmp(text(row, "what"), text(like, "what")) == 0 &&
-            strcmp(text(row, "mesh"), text(like, "mesh")) == 0)
+        if (strcmp(table_text(row, "operation"), operation) == 0 &&
+            strcmp(table_text(row, "subject"), table_text(like, "subject")) == 0 &&
+            strcmp(table_text(row, "what"), table_text(like, "what")) == 0 &&
+            strcmp(table_text(row, "mesh"), table_text(like, "mesh")) == 0)
             return row;
     }
     return NULL;
@@ -143,19 +99,19 @@ static void write_cell(struct table *table, const json_t *row, int width)
     if (row && json_is_string(json_object_get(row, "error"))) {
         snprintf(value, sizeof value, "refused");
         table->has_refused = true;
-    } else if (row && strcmp(text(row, "operation"), "bytes") == 0) {
-        write_digits(value, number(json_object_get(row, "bytes_per_triangle"), "measured"));
+    } else if (row && strcmp(table_text(row, "operation"), "bytes") == 0) {
+        table_digits(value, table_number(json_object_get(row, "bytes_per_triangle"), "measured"));
     } else if (row && json_is_object(query)) {
-        write_time(value, number(query, "median"));
+        table_time(value, table_number(query, "median"));
     } else if (row && json_is_object(json_object_get(row, "ns_per_triangle"))) {
-        write_time(value, number(json_object_get(row, "ns_per_triangle"), "median"));
+        table_time(value, table_number(json_object_get(row, "ns_per_triangle"), "median"));
     }
     if (row && (json_is_true(json_object_get(row, "noisy")) ||
                 json_is_true(json_object_get(json_object_get(row, "ratio"), "too_noisy")))) {
         mark = "~";
         table->has_noisy = true;
     }
-    if (row && strcmp(text(row, "answer"), "different") == 0) {
+    if (row && strcmp(table_text(row, "answer"), "different") == 0) {
         mark = "!";
         table->has_different = true;
     }
@@ -169,9 +125,9 @@ static bool begins_subject(const json_t *rows, size_t at)
     const json_t *row = json_array_get(rows, at);
     for (size_t i = 0; i < at; i++) {
         const json_t *before = json_array_get(rows, i);
-        if (strcmp(text(before, "subject"), text(row, "subject")) == 0 &&
-            strcmp(text(before, "what"), text(row, "what")) == 0 &&
-            strcmp(text(before, "mesh"), text(row, "mesh")) == 0)
+        if (strcmp(table_text(before, "subject"), table_text(row, "subject")) == 0 &&
+            strcmp(table_text(before, "what"), table_text(row, "what")) == 0 &&
+            strcmp(table_text(before, "mesh"), table_text(row, "mesh")) == 0)
             return false;
     }
     return true;
@@ -179,8 +135,8 @@ static bool begins_subject(const json_t *rows, size_t at)
 
 static bool same_table(const json_t *left, const json_t *right)
 {
-    return strcmp(text(left, "what"), text(right, "what")) == 0 &&
-           strcmp(text(left, "mesh"), text(right, "mesh")) == 0;
+    return strcmp(table_text(left, "what"), table_text(right, "what")) == 0 &&
+           strcmp(table_text(left, "mesh"), table_text(right, "mesh")) == 0;
 }
 
 static void write_matrix(struct table *table, const json_t *rows, const json_t *first, bool sweep)
@@ -196,7 +152,7 @@ static void write_matrix(struct table *table, const json_t *rows, const json_t *
     {
         if (!same_table(row, first) || !begins_subject(rows, i))
             continue;
-        fprintf(table->to, "  %-*.*s", NAME_WIDTH - 2, NAME_WIDTH - 2, text(row, "title"));
+        fprintf(table->to, "  %-*.*s", NAME_WIDTH - 2, NAME_WIDTH - 2, table_text(row, "title"));
         for (int k = 0; k < count; k++)
             write_cell(table,
                        find_row(rows, row, sweep ? sweeps[k].operation : queries[k].operation),
@@ -209,17 +165,24 @@ static void write_matrix(struct table *table, const json_t *rows, const json_t *
 
 static void write_ratio(struct table *table, const json_t *row)
 {
+    char whole[TABLE_INTERVAL];
     const json_t *ratio = json_object_get(row, "ratio");
-    char median[NUMBER], low[NUMBER], high[NUMBER], whole[3 * NUMBER + 16] = "";
-    if (json_is_object(ratio)) {
-        write_digits(median, number(ratio, "median"));
-        write_digits(low, number(ratio, "low"));
-        write_digits(high, number(ratio, "high"));
-        bool too_noisy = json_is_true(json_object_get(ratio, "too_noisy"));
-        snprintf(whole, sizeof whole, "%s [%s, %s]", too_noisy ? "~" : median, low, high);
-        table->has_noisy |= too_noisy;
-    }
-    fprintf(table->to, "%22s %-7s", whole, text(ratio, "to"));
+    bool too_noisy = json_is_true(json_object_get(ratio, "too_noisy"));
+    table_interval(whole, ratio, too_noisy);
+    table->has_noisy |= too_noisy;
+    fprintf(table->to, "%20s %-7s", json_is_object(ratio) ? whole : "", table_text(ratio, "to"));
+}
+
+/* The median: its interval is in bench.json, and with the goals. */
+static void write_cold_ratio(struct table *table, const json_t *row)
+{
+    char median[TABLE_NUMBER] = "";
+    const json_t *ratio = json_object_get(row, "cold_ratio");
+    bool too_noisy = json_is_true(json_object_get(ratio, "too_noisy"));
+    if (json_is_object(ratio))
+        table_digits(median, table_number(ratio, "median"));
+    table->has_noisy |= too_noisy;
+    fprintf(table->to, "%7s", too_noisy ? "~" : median);
 }
 
 static void write_line(struct table *table, const json_t *row, const char *operation)
@@ -228,27 +191,29 @@ static void write_line(struct table *table, const json_t *row, const char *opera
     const json_t *times = json_object_get(row, "ns_per_triangle");
     const json_t *fresh = json_object_get(row, "cold_ns_per_triangle");
     const json_t *bound = json_object_get(row, "limit");
-    const char *answer = text(row, "answer");
-    bool is_kernel = strcmp(text(row, "kind"), "kernel") == 0;
-    fprintf(table->to, "  %-16s%-24.23s", operation,
-            is_kernel ? text(row, "variant") : text(row, "title"));
+    const char *answer = table_text(row, "answer");
+    bool is_kernel = strcmp(table_text(row, "kind"), "kernel") == 0;
+    fprintf(table->to, "  %-16s%-21.20s", operation,
+            is_kernel ? table_text(row, "variant") : table_text(row, "title"));
     if (json_is_string(json_object_get(row, "error"))) {
-        fprintf(table->to, "  %.56s\n", text(row, "error"));
+        fprintf(table->to, "  %.56s\n", table_text(row, "error"));
         return;
     }
     if (json_is_object(times))
-        write_time(warm, number(times, "median"));
+        table_time(warm, table_number(times, "median"));
     if (json_is_object(fresh))
-        write_time(cold, number(fresh, "median"));
+        table_time(cold, table_number(fresh, "median"));
     if (json_is_object(bound))
-        snprintf(limit, sizeof limit, "%.0f %%", 100 * number(bound, "fraction"));
+        snprintf(limit, sizeof limit, "%.0f %%", 100 * table_number(bound, "fraction"));
     fprintf(table->to, "%8s", warm);
     write_ratio(table, row);
-    fprintf(table->to, " %s%9s%7s\n",
+    fprintf(table->to, " %s%8s",
             strcmp(answer, "equal") == 0       ? "="
             : strcmp(answer, "different") == 0 ? "!"
                                                : " ",
-            cold, limit);
+            cold);
+    write_cold_ratio(table, row);
+    fprintf(table->to, "%6s\n", limit);
     table->has_different |= strcmp(answer, "different") == 0;
     table->has_equal |= strcmp(answer, "equal") == 0;
 }
@@ -264,12 +229,12 @@ static void write_worth(const struct table *table, const json_t *rows, const jso
     {
         const json_t *value = json_object_get(json_object_get(row, "facts"), fact);
         if (!value || !same_table(row, like) ||
-            strcmp(text(row, "operation"), text(like, "operation")) != 0)
+            strcmp(table_text(row, "operation"), table_text(like, "operation")) != 0)
             continue;
-        bool is_kernel = strcmp(text(row, "kind"), "kernel") == 0;
+        bool is_kernel = strcmp(table_text(row, "kind"), "kernel") == 0;
         fprintf(table->to, "%s %s %.3f", begun ? "," : title,
-                is_kernel ? text(row, "variant") : text(row, "title"),
-                json_number_value(value) / number(row, "triangles"));
+                is_kernel ? table_text(row, "variant") : table_text(row, "title"),
+                json_number_value(value) / table_number(row, "triangles"));
         begun = true;
     }
     if (begun)
@@ -280,23 +245,24 @@ static void write_list(struct table *table, const json_t *rows, const json_t *fi
 {
     size_t i, k;
     const json_t *row, *other;
-    fprintf(table->to, "  %-40s%8s%22s %-9s%9s%7s\n", "operation", "ns/tri", "ratio [interval]",
-            "to", "cold", "limit");
+    fprintf(table->to, "  %-37s%8s%20s %-9s%8s%7s%6s\n", "operation", "ns/tri", "ratio [interval]",
+            "to", "cold", "ratio", "limit");
     json_array_foreach(rows, i, row)
     {
         bool is_first_of_its_kind = same_table(row, first);
         for (k = 0; k < i && is_first_of_its_kind; k++) {
             other = json_array_get(rows, k);
-            is_first_of_its_kind = !same_table(other, first) ||
-                                   strcmp(text(other, "operation"), text(row, "operation")) != 0;
+            is_first_of_its_kind =
+                !same_table(other, first) ||
+                strcmp(table_text(other, "operation"), table_text(row, "operation")) != 0;
         }
         if (!is_first_of_its_kind)
             continue;
-        const char *operation = text(row, "operation");
+        const char *operation = table_text(row, "operation");
         json_array_foreach(rows, k, other)
         {
             if (!same_table(other, first) ||
-                strcmp(text(other, "operation"), text(row, "operation")) != 0)
+                strcmp(table_text(other, "operation"), table_text(row, "operation")) != 0)
                 continue;
             write_line(table, other, operation);
             operation = "";
@@ -323,26 +289,27 @@ static struct claim_summary sum_up_claim(const json_t *claims, const char *name)
     const json_t *claim;
     json_array_foreach(claims, i, claim)
     {
-        if (strcmp(text(claim, "name"), name) != 0)
+        if (strcmp(table_text(claim, "name"), name) != 0)
             continue;
         if (summary.count++ == 0)
-            summary.claimed = number(claim, "claimed");
-        summary.varies |= number(claim, "claimed") != summary.claimed;
+            summary.claimed = table_number(claim, "claimed");
+        summary.varies |= table_number(claim, "claimed") != summary.claimed;
         summary.holding += json_is_true(json_object_get(claim, "holds"));
     }
     bool is_first = true;
     json_array_foreach(claims, i, claim)
     {
-        if (strcmp(text(claim, "name"), name) != 0)
+        if (strcmp(table_text(claim, "name"), name) != 0)
             continue;
-        double value = number(claim, "measured") / (summary.varies ? number(claim, "claimed") : 1);
+        double value =
+            table_number(claim, "measured") / (summary.varies ? table_number(claim, "claimed") : 1);
         if (is_first || value < summary.least) {
             summary.least = value;
-            summary.least_mesh = text(claim, "mesh");
+            summary.least_mesh = table_text(claim, "mesh");
         }
         if (is_first || value > summary.most) {
             summary.most = value;
-            summary.most_mesh = text(claim, "mesh");
+            summary.most_mesh = table_text(claim, "mesh");
         }
         is_first = false;
     }
@@ -352,8 +319,8 @@ static struct claim_summary sum_up_claim(const json_t *claims, const char *name)
 static bool is_first_of_its_name(const json_t *claims, size_t at)
 {
     for (size_t i = 0; i < at; i++)
-        if (strcmp(text(json_array_get(claims, i), "name"),
-                   text(json_array_get(claims, at), "name")) == 0)
+        if (strcmp(table_text(json_array_get(claims, i), "name"),
+                   table_text(json_array_get(claims, at), "name")) == 0)
             return false;
     return true;
 }
@@ -373,13 +340,13 @@ static void write_claims(const struct table *table, const json_t *claims)
         char range[96], claimed[NUMBER] = "";
         if (!is_first_of_its_name(claims, i))
             continue;
-        struct claim_summary summary = sum_up_claim(claims, text(claim, "name"));
+        struct claim_summary summary = sum_up_claim(claims, table_text(claim, "name"));
         if (!summary.varies)
             snprintf(claimed, sizeof claimed, "%.4g", summary.claimed);
         snprintf(range, sizeof range, "%.3g %.11s%s%.3g %.11s", summary.least, summary.least_mesh,
                  summary.varies ? " ... of it " : " ... ", summary.most, summary.most_mesh);
         fprintf(table->to, "%c %-43.42s%9s  %-35.35s%3d of %d\n",
-                summary.holding == summary.count ? ' ' : '!', text(claim, "claim"),
+                summary.holding == summary.count ? ' ' : '!', table_text(claim, "claim"),
                 summary.varies ? "it varies" : claimed, range, summary.holding, summary.count);
     }
 }
@@ -392,8 +359,8 @@ static double least_confidence(const json_t *document)
     json_array_foreach(json_object_get(document, "rows"), i, row)
     {
         const json_t *ratio = json_object_get(row, "ratio");
-        if (json_is_object(ratio) && number(ratio, "confidence") < least)
-            least = number(ratio, "confidence");
+        if (json_is_object(ratio) && table_number(ratio, "confidence") < least)
+            least = table_number(ratio, "confidence");
     }
     return least;
 }
@@ -401,17 +368,18 @@ static double least_confidence(const json_t *document)
 static void write_closing(const struct table *table, const json_t *document)
 {
     const json_t *noise = json_object_get(document, "noise");
-    double samples = number(noise, "samples");
+    double samples = table_number(noise, "samples");
     if (samples == 0)
         return;
     fprintf(table->to, "\n%.0f samples, %.1f %% of them dropped because the core was slowed\n",
-            samples, samples > 0 ? 100 * number(noise, "dropped") / samples : 0.0);
+            samples, samples > 0 ? 100 * table_number(noise, "dropped") / samples : 0.0);
     fprintf(table->to, "intervals: of the sign test over fresh processes, at least %.0f %% sure\n",
             100 * least_confidence(document));
     if (table->has_equal)
         fputs(
             "ratio: time over that of the row named, in the same blocks; = the answers are equal\n"
-            "cold: on fresh pages; limit: copying the bytes that must move, over the least time\n",
+            "cold: on fresh pages, and its ratio; limit: copying the bytes that must move, over "
+            "the least time\n",
             table->to);
     if (table->has_noisy)
         fputs("~, too noisy: the interval is wider than a quarter either way\n", table->to);
@@ -435,13 +403,14 @@ void table_write(const json_t *document, bool bold, FILE *to)
         if (!is_new)
             continue;
         write_title(&table, document, row);
-        if (strcmp(text(row, "what"), "representations") == 0) {
+        if (strcmp(table_text(row, "what"), "representations") == 0) {
             write_matrix(&table, rows, row, true);
             write_matrix(&table, rows, row, false);
         } else {
             write_list(&table, rows, row);
         }
     }
+    table_goals(&table, json_object_get(document, "goals"));
     write_claims(&table, json_object_get(document, "claims"));
     write_closing(&table, document);
 }

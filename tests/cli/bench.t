@@ -43,6 +43,9 @@ for r in d["rows"]:
 indexed = {r["operation"]: r for r in d["rows"] if r["subject"] == "indexed-mesh"}
 assert indexed["bytes"]["bytes_per_triangle"]["formula"] == indexed["bytes"]["bytes_per_triangle"]["measured"]
 assert {"build", "area", "edges", "vertex-normals", "boundary-loops", "is-edge", "smooth"} <= set(indexed)
+goals = {g["operation"]: g for g in d["goals"]}
+assert {"edges-any", "twins", "area", "vertex-normals", "stripify", "read-off"} <= set(goals)
+assert all(g["warm"]["why"] == "no peer" and g["verdict"] in ("undecided", "missed") for g in d["goals"] if g["warm"]), goals
 rows = list(csv.DictReader(open(sys.argv[1] + "/bench.csv")))
 assert len(rows) == len(d["rows"])
 g = json.load(open(sys.argv[1] + "/google.json"))

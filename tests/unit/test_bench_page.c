@@ -241,6 +241,30 @@ static void test_an_empty_run_leaves_things_out(void **state)
     study_release(&study);
 }
 
+static void test_goals_are_told_with_their_verdicts(void **state)
+{
+    (void)state;
+    struct study study = study_of(json_array());
+    json_object_set_new(
+        study.document, "goals",
+        json_pack("[{s:s, s:s, s:s, s:s, s:s, s:{s:f, s:b, s:f, s:f, s:f, s:s, s:s}, "
+                  "s:{s:f, s:b, s:n, s:s, s:s}, s:n}]",
+                  "operation", "twins", "mesh", "torus-1M-generated", "orders", "", "reason",
+                  "sides are matched", "verdict", "missed", "warm", "goal", 4.0, "at_least", 1,
+                  "median", 3.0, "low", 2.5, "high", 3.5, "verdict", "missed", "peer", "A <peer>",
+                  "cold", "goal", 3.0, "at_least", 1, "median", "verdict", "undecided", "why",
+                  "no peer", "indices"));
+    char *text = page_of(&study);
+    assert_non_null(strstr(text, "Of 1 goals 0 are met, 1 missed and 0 undecided"));
+    assert_non_null(strstr(text, "3 (2.5 – 3.5)"));
+    assert_non_null(strstr(text, "≥ 4, A &lt;peer&gt;"));
+    assert_non_null(strstr(text, "≥ 3; no peer"));
+    assert_non_null(strstr(text, "✗ missed"));
+    assert_non_null(strstr(text, ": sides are matched."));
+    free(text);
+    study_release(&study);
+}
+
 static void test_hostile_texts_are_inert_and_short(void **state)
 {
     (void)state;
@@ -328,6 +352,7 @@ int main(void)
         cmocka_unit_test(test_voxels_cross_at_288),
         cmocka_unit_test(test_strips_reach_their_limits),
         cmocka_unit_test(test_an_empty_run_leaves_things_out),
+        cmocka_unit_test(test_goals_are_told_with_their_verdicts),
         cmocka_unit_test(test_hostile_texts_are_inert_and_short),
         cmocka_unit_test(test_only_bench_results_are_taken),
         cmocka_unit_test(test_lessons_show_the_structures),

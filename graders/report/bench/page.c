@@ -189,6 +189,7 @@ void bench_page_write(struct html *page, struct bench_page *context)
     page_machine(page, context);
     write_results(page, context);
     page_comparison(page, context, "readers", "Reading mesh files");
+    page_goals(page, context);
     page_comparison(page, context, "paper", "The operations of Sieger and Botsch (2011)");
     page_claims(page, context);
     write_pictures(page, context);

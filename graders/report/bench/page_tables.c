@@ -180,12 +180,16 @@ void page_representations(struct html *page, struct bench_page *context)
 
 static void comparison_row(struct html *page, const json_t *row)
 {
-    char time[96], ratio[80], limit[24];
+    char time[96], ratio[80], cold_ratio[80], limit[24], cold[24] = "";
+    double cold_ns = study_number(json_object_get(row, "cold_ns_per_triangle"), "median");
     const json_t *fraction = json_object_get(row, "limit");
     const char *variant = study_text(row, "variant"), *error = study_text(row, "error");
     bool is_kernel = strcmp(study_text(row, "kind"), "kernel") == 0;
     time_words(row, time, sizeof time);
     ratio_words(json_object_get(row, "ratio"), ratio, sizeof ratio);
+    ratio_words(json_object_get(row, "cold_ratio"), cold_ratio, sizeof cold_ratio);
+    if (!isnan(cold_ns))
+        study_time_words(cold_ns, cold, sizeof cold);
     snprintf(limit, sizeof limit, "%.0f %%", 100 * study_number(fraction, "fraction"));
     html_open(page, "tr");
     row_head(page, study_operation(study_text(row, "operation")));
@@ -197,6 +201,8 @@ static void comparison_row(struct html *page, const json_t *row)
     table_cell(page, NULL, *error ? error : time);
     table_cell(page, NULL, ratio);
     table_cell(page, NULL, study_text(json_object_get(row, "ratio"), "to"));
+    table_cell(page, NULL, cold);
+    table_cell(page, NULL, cold_ratio);
     table_cell(page, NULL, json_is_object(fraction) ? limit : "");
     table_cell(page, NULL, study_text(row, "answer"));
     html_close(page, "tr");
@@ -205,8 +211,8 @@ static void comparison_row(struct html *page, const json_t *row)
 static void comparison_table(struct html *page, struct bench_page *context,
                              const struct wanted *wanted, const char *title)
 {
-    static const char *const names[] = {"operation", "who",          "time a triangle", "ratio",
-                                        "to",        "memory limit", "answer"};
+    static const char *const names[] = {"operation", "who",        "time a triangle", "ratio", "to",
+                                        "cold",      "cold ratio", "memory limit",    "answer"};
     const struct study *study = context->study;
     const char *operations[STUDY_NAMES_MAX];
     char caption[256], words[120];
