@@ -5,6 +5,9 @@
 #include <string.h>
 #include <strings.h>
 
+/* A folder that weighs less is never let go: no class consists of such. */
+enum { SHED_BYTES = 8 << 20 };
+
 static const char *const archive_endings[] = {".zip", ".tar",     ".tar.gz", ".tgz", ".tar.xz",
                                               ".txz", ".tar.bz2", ".tbz2",   ".tbz", NULL};
 static const char *const other_archive_endings[] = {".rar", ".7z",  ".gz", ".xz",
@@ -116,14 +119,9 @@ int bundle_join(char out[BUNDLE_PATH_BYTES], const char *prefix, const char *nam
     return out[0] && strlen(out) > used && depth <= BUNDLE_DEPTH ? 0 : -1;
 }
 
-int bundle_add(struct bundle *bundle, const char *path, unsigned char *bytes, size_t count,
-               const struct refusal *refusal, struct error *err)
+static int append_file(struct bundle *bundle, const char *path, unsigned char *bytes, size_t count,
+                       const struct refusal *refusal, struct error *err)
 {
-    if (bundle->count == BUNDLE_ENTRIES || bundle->bytes + (int64_t)count > BUNDLE_BYTES) {
-        free(bytes);
-        return error_set(err, "too much to read: more than %d files or %d MB", BUNDLE_ENTRIES,
-                         BUNDLE_BYTES >> 20);
-    }
     if (bundle->count == bundle->capacity) {
         int capacity = bundle->capacity ? 2 * bundle->capacity : 64;
         struct bundle_file *larger =
@@ -147,6 +145,112 @@ int bundle_add(struct bundle *bundle, const char *path, unsigned char *bytes, si
     bundle->bytes += (int64_t)count;
     bundle->count++;
     return 0;
+}
+
+/* ---------------------------------------------------------------- letting go */
+
+static bool is_below(const char *path, const char *folder, size_t length)
+{
+    return strncmp(path, folder, length) == 0 && (length == 0 || path[length] == '/');
+}
+
+/* What a file takes of both limits, in bytes. */
+static int64_t weight_of(const struct bundle_file *file)
+{
+    return (int64_t)file->count + BUNDLE_BYTES / BUNDLE_ENTRIES;
+}
+
+/* Goes on from `folder` into the heaviest of the folders in it, if it weighs as much as to be let
+ * go. The bundle is sorted. */
+static bool enter_heaviest(const struct bundle *bundle, char folder[BUNDLE_PATH_BYTES])
+{
+    const size_t length = strlen(folder), from = length + (length > 0);
+    const char *heaviest = NULL, *step = NULL;
+    size_t heaviest_length = 0, step_length = 0;
+    int64_t most = SHED_BYTES - 1, weight = 0;
+    for (int i = 0; i < bundle->count; i++) {
+        const char *path = bundle->files[i].path;
+        if (!is_below(path, folder, length) || !strchr(path + from, '/'))
+            continue;
+        size_t next = strcspn(path + from, "/");
+        if (!step || next != step_length || memcmp(step, path + from, next) != 0) {
+            step = path + from;
+            step_length = next;
+            weight = 0;
+        }
+        weight += weight_of(&bundle->files[i]);
+        if (weight > most) {
+            most = weight;
+            heaviest = step;
+            heaviest_length = step_length;
+        }
+    }
+    if (!heaviest)
+        return false;
+    memcpy(folder, heaviest - from, from + heaviest_length);
+    folder[from + heaviest_length] = '\0';
+    return true;
+}
+
+static void remove_below(struct bundle *bundle, const char *folder)
+{
+    int kept = 0;
+    for (int i = 0; i < bundle->count; i++) {
+        struct bundle_file *file = &bundle->files[i];
+        if (!is_below(file->path, folder, strlen(folder))) {
+            bundle->files[kept++] = *file;
+            continue;
+        }
+        bundle->bytes -= (int64_t)file->count;
+        free(file->path);
+        free(file->bytes);
+    }
+    bundle->count = kept;
+}
+
+static int let_go_of_heaviest(struct bundle *bundle, struct error *err)
+{
+    char folder[BUNDLE_PATH_BYTES] = "", shown[REFUSAL_NAME];
+    struct refusal refusal = {0};
+    bundle_sort(bundle);
+    while (enter_heaviest(bundle, folder))
+        continue;
+    if (!folder[0])
+        return error_set(err, "too much to read: more than %d files or %d MB", BUNDLE_ENTRIES,
+                         BUNDLE_BYTES >> 20);
+    char *shed = strdup(folder);
+    if (!shed)
+        return error_set(err, "out of memory");
+    free(bundle->shed);
+    bundle->shed = shed;
+    remove_below(bundle, folder);
+    refuse(&refusal, "folder-too-large",
+           "%s holds more files or bytes than there is room for: hand in the sources only.",
+           "%s contiene más archivos o bytes de los que caben: entregue solo las fuentes.",
+           refusal_name(shown, folder, strlen(folder)));
+    return append_file(bundle, folder, NULL, 0, &refusal, err);
+}
+
+int bundle_add(struct bundle *bundle, const char *path, unsigned char *bytes, size_t count,
+               const struct refusal *refusal, struct error *err)
+{
+    int result = 0;
+    bool is_full = bundle->count >= BUNDLE_ENTRIES || bundle->bytes + (int64_t)count > BUNDLE_BYTES;
+    bool is_dropped = bundle->shed && is_below(path, bundle->shed, strlen(bundle->shed));
+    if (is_full && !is_dropped) {
+        result = let_go_of_heaviest(bundle, err);
+        is_dropped = result == 0 && is_below(path, bundle->shed, strlen(bundle->shed));
+    }
+    if (result == 0 && !is_dropped)
+        return append_file(bundle, path, bytes, count, refusal, err);
+    free(bytes);
+    return result;
+}
+
+bool bundle_refuses_all(const struct bundle_file *file)
+{
+    return strncmp(file->refusal.cause, "archive-", 8) == 0 ||
+           strncmp(file->refusal.cause, "folder-", 7) == 0;
 }
 
 /* Orders paths so that a folder's files stand together: / comes before every other byte. */
@@ -185,5 +289,6 @@ void bundle_release(struct bundle *bundle)
         free(bundle->files[i].bytes);
     }
     free(bundle->files);
+    free(bundle->shed);
     *bundle = (struct bundle){0};
 }

@@ -37,6 +37,7 @@ struct bundle {
     struct bundle_file *files;
     int count, capacity;
     int64_t bytes;
+    char *shed; /* the folder that was let go last, or NULL: nothing below it is taken */
 };
 
 /* What kind a file is, by the names in its path. Letter case does not matter. */
@@ -52,11 +53,17 @@ size_t bundle_archive_stem(const char *path);
  * returns  0; -1 when the path is absolute, has a .. step, is empty, or is too long or deep */
 int bundle_join(char out[BUNDLE_PATH_BYTES], const char *prefix, const char *name) MUST_CHECK;
 
-/* Adds one file. Takes `bytes` over, also when it fails.
+/* Adds one file. Takes `bytes` over, also when it fails. When the bundle is full, the heaviest
+ * folder in it is let go, so that one student's flood costs nobody else anything: its files are
+ * removed, a refusal (folder-too-large) stands in their place, and what else comes from it is
+ * dropped.
  *
- * returns  0, or -1 and *err: out of memory, or the limits above */
+ * returns  0, or -1 and *err: out of memory, or full without any folder that stands out */
 int bundle_add(struct bundle *bundle, const char *path, unsigned char *bytes, size_t count,
                const struct refusal *refusal, struct error *err) MUST_CHECK;
+
+/* Does the file's refusal stand for all that its student handed in (archive-..., folder-...)? */
+bool bundle_refuses_all(const struct bundle_file *file);
 
 /* Sorts by path, step by step: the order of folders and archives does not matter, and what lies in
  * one folder stands together, after the folder's own refusal if it has one. */

@@ -168,6 +168,14 @@ static int keep_without_trial(struct classroom *classroom, const struct exercise
     return result;
 }
 
+/* What the upload refused: the student's mistake, or what the machine did not let us read. */
+static int keep_refusal(struct classroom *classroom, const struct exercise *exercise,
+                        const struct upload *upload, struct error *err)
+{
+    const enum verdict verdict = upload->refusal.is_fault ? VERDICT_FAULT : VERDICT_COMPILE_ERROR;
+    return keep_without_trial(classroom, exercise, upload, verdict, &upload->refusal, err);
+}
+
 static int keep_fault(struct classroom *classroom, const struct exercise *exercise,
                       const struct upload *upload, const struct error *fault, struct error *err)
 {
@@ -226,8 +234,7 @@ static int fill_queue(struct classroom *classroom, struct lesson *lesson, struct
             classroom->done++;
         else if (!upload->refusal.refused)
             lesson->uploads[lesson->count++] = i;
-        else if (keep_without_trial(classroom, lesson->exercise, upload, VERDICT_COMPILE_ERROR,
-                                    &upload->refusal, err) != 0)
+        else if (keep_refusal(classroom, lesson->exercise, upload, err) != 0)
             return -1;
     }
     return 0;
@@ -379,8 +386,7 @@ static int keep_unknown(struct classroom *classroom, struct error *err)
 {
     for (int i = 0; i < classroom->uploads->count; i++) {
         const struct upload *upload = &classroom->uploads->uploads[i];
-        if (!upload->exercise && keep_without_trial(classroom, NULL, upload, VERDICT_COMPILE_ERROR,
-                                                    &upload->refusal, err) != 0)
+        if (!upload->exercise && keep_refusal(classroom, NULL, upload, err) != 0)
             return -1;
     }
     return 0;

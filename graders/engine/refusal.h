@@ -1,6 +1,6 @@
 /* Why something that a student handed in cannot be taken: a slug for machines, one sentence for
  * people in English and Spanish. Filled by the screens (upload, policy, screen); a refusal is a
- * verdict on the submission, never a failure of ours. */
+ * verdict on the submission, unless the machine is at fault, which only the upload can say. */
 #ifndef GRADERS_ENGINE_REFUSAL_H
 #define GRADERS_ENGINE_REFUSAL_H
 
@@ -11,6 +11,7 @@ enum { REFUSAL_TEXT = 400, REFUSAL_NAME = 64 };
 
 struct refusal {
     bool refused;
+    bool is_fault;                 /* no doing of the student: reported, never marked */
     char cause[48];                /* "constructor", "inline-assembly", "archive-symlink", ... */
     char message[REFUSAL_TEXT];    /* may quote the student's names: untrusted, printable ASCII */
     char message_es[REFUSAL_TEXT]; /* the same in Spanish, UTF-8 */

@@ -251,6 +251,8 @@ int upload_read_files(const char *const *paths, int path_count, const char *exer
             result = upload_take_source(upload, name, strlen(name), bytes, count, err);
         free(bytes);
     }
+    if (result == 0 && upload->refusal.is_fault)
+        result = error_set(err, "%s", upload->refusal.message);
     if (result == 0)
         upload_settle(upload);
     return result;

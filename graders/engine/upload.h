@@ -57,8 +57,9 @@ struct upload_list {
  * list       release with upload_list_release, also after an error
  * returns    0, or -1 and *err: a path cannot be read (names it), or memory runs out
  * Causes of refusals: archive-* (link, device, path, too-large, too-many, ratio, nested, broken,
- * encrypted, kind), file-name, file-too-large, too-many-files, file-twice, link, device,
- * no-source. */
+ * encrypted, kind), folder-* (path, too-large), file-name, file-too-large, too-many-files,
+ * file-twice, link, device, no-source; and, as faults, unreadable, archive-unreadable,
+ * folder-unreadable. */
 int upload_read(const char *const *paths, int path_count, const char *const *exercises,
                 const char *exercise, struct upload_list *list, struct error *err) MUST_CHECK;
 

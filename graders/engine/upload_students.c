@@ -181,12 +181,12 @@ static int add_submission(struct reading *r, const char *display, int student, i
     return result;
 }
 
-/* The first refusal of an archive in or around a student's folder, or NULL. */
+/* The first refusal of an archive or a folder in or around a student's folder, or NULL. */
 static const struct refusal *find_refusal(struct reading *r, int student)
 {
     for (int node = student; node >= 0; node = r->tree.nodes[node].parent) {
         int file = r->tree.nodes[node].file;
-        if (file >= 0 && strncmp(r->bundle->files[file].refusal.cause, "archive-", 8) == 0)
+        if (file >= 0 && bundle_refuses_all(&r->bundle->files[file]))
             return &r->bundle->files[file].refusal;
     }
     if (!r->tree.nodes[student].has_refusal)
@@ -194,7 +194,7 @@ static const struct refusal *find_refusal(struct reading *r, int student)
     for (int c = r->tree.nodes[student].first_child; c >= 0; c = r->tree.nodes[c].next)
         if (r->tree.nodes[c].has_refusal) {
             int file = r->tree.nodes[c].file;
-            return file >= 0 && strncmp(r->bundle->files[file].refusal.cause, "archive-", 8) == 0
+            return file >= 0 && bundle_refuses_all(&r->bundle->files[file])
                        ? &r->bundle->files[file].refusal
                        : find_refusal(r, c);
         }
@@ -343,7 +343,7 @@ static int note_unused(struct reading *r)
     for (int i = 0; i < r->bundle->count && result == 0; i++) {
         const struct bundle_file *file = &r->bundle->files[i];
         const enum bundle_kind kind = bundle_kind(file->path);
-        if (r->used[i] || kind == BUNDLE_METADATA)
+        if (r->used[i] || (kind == BUNDLE_METADATA && !file->refusal.refused))
             continue;
         result = add_note(r, file->path,
                           file->refusal.refused   ? file->refusal.message

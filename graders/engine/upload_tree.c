@@ -115,7 +115,7 @@ static int add_path(struct building *b, int file)
 static void classify(struct building *b, struct tree_node *node)
 {
     if (node->file >= 0)
-        node->has_refusal = strncmp(b->bundle->files[node->file].refusal.cause, "archive-", 8) == 0;
+        node->has_refusal = bundle_refuses_all(&b->bundle->files[node->file]);
     if (node->is_folder) {
         node->exercise = find_exercise(b, node->name, node->length);
         if (names_moodle(node->name, node->length))

@@ -46,12 +46,19 @@ if [ "$(id -u)" -eq 0 ] && setpriv --reuid 65534 --regid 65534 --clear-groups te
     chmod 000 "$scratch/class/bruno/euler-closed-mesh.c"
     install -d -o 65534 "$scratch/marks"
     TMPDIR=/tmp setpriv --reuid 65534 --regid 65534 --clear-groups "$meshgrade" grade "$scratch/class" -o "$scratch/marks" --no-pictures >"$scratch/out" 2>"$scratch/err"
-    code=$?
-    ok "a file that may not be read gives no mark" sh -c '[ "$1" -eq 2 ] || ! grep -q "\"score\": 0" "$2"/results/bruno/*.json' - $code "$scratch/marks"
-    ok "and is named" sh -c 'cat "$1" "$2"/results/bruno/*.json 2>/dev/null | grep -q "euler-closed-mesh.c"' - "$scratch/err" "$scratch/marks"
+    ok "a file that may not be read is a fault" [ $? -eq 2 ]
+    ok "of its student, without a mark, and is named with a remedy" python3 -c '
+import json, sys
+r = json.load(open(sys.argv[1] + "/results/bruno/euler-closed-mesh.json"))
+assert r["verdict"] == "fault" and r["score"] is None and r["cause"] == "unreadable", (r["verdict"], r["score"], r["cause"])
+told = r["summary"]["en"]
+assert "euler-closed-mesh.c" in told and "make it readable" in told, told' "$scratch/marks"
+    ok "the other student has their mark" python3 -c '
+import json, sys
+r = json.load(open(sys.argv[1] + "/results/ana/euler-closed-mesh.json"))
+assert r["verdict"] == "passed" and r["score"] == r["max_score"], (r["verdict"], r["score"])' "$scratch/marks"
 else
-    skip "a file that may not be read gives no mark" "needs root, and a tree that others can read"
-    skip "and is named" "needs root, and a tree that others can read"
+    skip "a file that may not be read is a fault, of its student alone" "needs root, and a tree that others can read"
 fi
 
 # -- a damaged store
