@@ -62,11 +62,13 @@ static json_t *family_memory_json(const struct trial *trial, int family)
 
 static json_t *memory_json(const struct trial *trial)
 {
-    json_t *families = json_array();
-    for (int i = 0; i < trial->yardstick->family_count; i++)
-        json_array_append_new(families, family_memory_json(trial, i));
     const struct yardstick *yardstick = trial->yardstick;
     int largest = yardstick->size_count - 1, family = trial->memory_family;
+    json_t *families = json_array();
+    json_array_append_new(families, family_memory_json(trial, family)); /* what decides is first */
+    for (int i = 0; i < yardstick->family_count; i++)
+        if (i != family)
+            json_array_append_new(families, family_memory_json(trial, i));
     const struct cost *mine = &trial->families[family].costs[largest];
     const struct cost *theirs = &yardstick->costs[family][largest];
     return json_pack(

@@ -26,26 +26,55 @@ static void copy_line(char *to, size_t capacity, const char *from)
     to[count] = '\0';
 }
 
-/* "heap-buffer-overflow answer.c:31 in edge_table_any", or the line of UBSan that says what. */
-static void explain_sanitizer(const char *output, char *text, size_t capacity)
+/* "use-after-poison, answer.c:31, edge_table_any" of ASan's summary "use-after-poison
+ * /work/answer.c:31 in edge_table_any". Only places in the submission are told: "bad-free, free" of
+ * "bad-free ../src/libsanitizer/... in __interceptor_free". */
+static void explain_summary(const char *summary, char *text, size_t capacity)
 {
-    const char *summary = strstr(output, "SUMMARY: AddressSanitizer: ");
+    static const char submission[] = "/work/", interceptor[] = "__interceptor_";
+    char line[200], place[200] = "";
+    copy_line(line, sizeof line, summary);
+    char *function = strstr(line, " in ");
+    if (function) {
+        *function = '\0';
+        function += strlen(" in ");
+        if (strncmp(function, interceptor, strlen(interceptor)) == 0)
+            function += strlen(interceptor);
+    }
+    char *path = strchr(line, ' ');
+    if (path) {
+        *path++ = '\0';
+        if (strncmp(path, submission, strlen(submission)) == 0)
+            snprintf(place, sizeof place, ", %s", path + strlen(submission));
+    }
+    snprintf(text, capacity, "%s%s%s%s", line, place, function ? ", " : "",
+             function ? function : "");
+}
+
+/* What ASan's summary or UBSan's line says. Returns the name of the one that spoke. */
+static const char *explain_sanitizer(const char *output, char *text, size_t capacity)
+{
+    static const char asan[] = "AddressSanitizer", ubsan[] = "UBSan";
+    static const char start[] = "SUMMARY: AddressSanitizer: ";
+    const char *summary = strstr(output, start);
     const char *undefined = strstr(output, "runtime error: ");
     if (undefined) {
         while (undefined > output && undefined[-1] != '\n')
             undefined--;
         copy_line(text, capacity, undefined);
-    } else if (summary) {
-        copy_line(text, capacity, summary + strlen("SUMMARY: AddressSanitizer: "));
-    } else {
-        snprintf(text, capacity, "an invalid access");
+        return ubsan;
     }
+    if (summary)
+        explain_summary(summary + strlen(start), text, capacity);
+    else
+        snprintf(text, capacity, "invalid access");
+    return asan;
 }
 
-/* "Invalid read of size 4 at edge_table_any (answer.c:31)". */
-static void explain_memcheck(const char *output, char *text, size_t capacity)
+/* "Invalid read of size 4, edge_table_any (answer.c:31)". */
+static const char *explain_memcheck(const char *output, char *text, size_t capacity)
 {
-    char what[100] = "an invalid access", where[100] = "";
+    char what[100] = "invalid access", where[100] = "";
     const char *start = strstr(output, "==");
     const char *kind = start ? strstr(start + 2, "== ") : NULL;
     const char *at = kind ? strstr(kind, " at 0x") : NULL;
@@ -54,21 +83,25 @@ static void explain_memcheck(const char *output, char *text, size_t capacity)
     at = at ? strstr(at, ": ") : NULL;
     if (at)
         copy_line(where, sizeof where, at + 2);
-    snprintf(text, capacity, "%s%s%s", what, where[0] ? " in " : "", where);
+    snprintf(text, capacity, "%s%s%s", what, where[0] ? ", " : "", where);
+    return "valgrind";
 }
 
+/* The tool's own words are quoted as they are, in both languages. */
 static void report(struct trial *trial, size_t index, const char *tool, const char *text)
 {
     const char *name = trial->yardstick->judge->cases[index].name;
     check_say(&trial->checks[CHECK_UNDEFINED_BEHAVIOUR], VERDICT_UNDEFINED_BEHAVIOUR, "found",
-              "In case %s %s found: %s.", "En el caso %s, %s encontró: %s.", name, tool, text);
+              "In case %s %s found \"%s\".", "En el caso %s, %s encontró \"%s\".", name, tool,
+              text);
     struct attempt *attempt = &trial->cases[index].attempt;
     if (attempt->verdict != VERDICT_CRASH)
         return;
     size_t used = strlen(attempt->message), used_es = strlen(attempt->message_es);
-    snprintf(attempt->message + used, sizeof attempt->message - used, " %s says: %s.", tool, text);
-    snprintf(attempt->message_es + used_es, sizeof attempt->message_es - used_es, " %s dice: %s.",
-             tool, text);
+    snprintf(attempt->message + used, sizeof attempt->message - used, " %s says \"%s\".", tool,
+             text);
+    snprintf(attempt->message_es + used_es, sizeof attempt->message_es - used_es,
+             " %s dice \"%s\".", tool, text);
 }
 
 /* ------------------------------------------------------------------- calls */
@@ -163,42 +196,68 @@ static int run_series(struct trial *trial, struct look *look, struct attempt *at
 }
 
 /* Tools cost time and memory themselves: a program that runs out of either under them has not been
- * looked at, which gives no points. Any other difference is for a person to look at, unless a case
- * tells the mistake already. */
+ * looked at, which gives no points, and is told how to get them. */
+static void report_exhaustion(struct trial *trial, const char *name, const char *tool,
+                              bool out_of_time)
+{
+    struct check_result *check = &trial->checks[CHECK_UNDEFINED_BEHAVIOUR];
+    if (out_of_time)
+        check_say(check, VERDICT_NOT_MEASURED, "too-much-for-tool",
+                  "In case %s your function did not end within %lld s of CPU time under %s, which "
+                  "slows programs down: nobody knows whether its behaviour is defined, and there "
+                  "are no points for that. With less work on this case it can be looked at.",
+                  "En el caso %s tu función no terminó en %lld s de CPU con %s, que ralentiza los "
+                  "programas: no se sabe si su comportamiento está definido, y no hay puntos por "
+                  "ello. Si trabaja menos en este caso se podrá examinar.",
+                  name, (long long)(limits.cpu_ns / 1000000000), tool);
+    else
+        check_say(check, VERDICT_NOT_MEASURED, "too-much-for-tool",
+                  "In case %s your function ran out of memory under %s, which needs memory of its "
+                  "own: nobody knows whether its behaviour is defined, and there are no points for "
+                  "that. With less memory in this case it can be looked at.",
+                  "En el caso %s tu función agotó la memoria con %s, que necesita memoria propia: "
+                  "no se sabe si su comportamiento está definido, y no hay puntos por ello. Si usa "
+                  "menos memoria en este caso se podrá examinar.",
+                  name, tool);
+}
+
+/* Any other difference is for a person to look at, unless a case tells the mistake already. */
 static void report_difference(struct trial *trial, const struct look *look, const char *tool,
                               const struct attempt *attempt)
 {
     const char *name = trial->yardstick->judge->cases[look->last].name;
-    const char *verdict = verdict_name(attempt->verdict);
     struct check_result *check = &trial->checks[CHECK_UNDEFINED_BEHAVIOUR];
     if (attempt->verdict == VERDICT_CPU_TIME || attempt->verdict == VERDICT_OUT_OF_MEMORY)
-        check_say(check, VERDICT_NOT_MEASURED, "too-much-for-tool",
-                  "In case %s %s could not look at it to the end: %s.",
-                  "En el caso %s, %s no pudo examinarlo hasta el final: %s.", name, tool, verdict);
+        report_exhaustion(trial, name, tool, attempt->verdict == VERDICT_CPU_TIME);
+    else if (trial_any_case_failed(trial))
+        check_say(check, VERDICT_NOT_MEASURED, "behaves-differently",
+                  "Case %s passes, but under %s it does not: mend the rejected cases first.",
+                  "El caso %s es correcto, pero con %s no: corrige antes los casos rechazados.",
+                  name, tool);
     else
-        check_say(check, trial_any_case_failed(trial) ? VERDICT_NOT_MEASURED : VERDICT_FLAGGED,
-                  "behaves-differently",
+        check_say(check, VERDICT_FLAGGED, "behaves-differently",
                   "Case %s passes, but under %s it ends otherwise (%s): a person must look.",
                   "El caso %s es correcto, pero con %s acaba de otro modo (%s): debe mirarlo una "
                   "persona.",
-                  name, tool, verdict);
+                  name, tool, verdict_name(attempt->verdict));
 }
 
 static int look_with(struct trial *trial, enum series_tool tool, size_t input_limit,
                      struct error *err)
 {
     bool sanitizer = tool == SERIES_SANITIZER;
-    const char *name = sanitizer ? "the sanitizer" : "valgrind";
+    const char *tool_name = sanitizer ? "AddressSanitizer" : "valgrind";
     struct look look = {.tool = tool, .input_limit = input_limit, .last = -1};
     while (look.next < trial->yardstick->judge->case_count && !look.found && !look.differs) {
         struct attempt attempt;
         char text[240];
         int result = run_series(trial, &look, &attempt, err);
         if (result == 0 && look.found) {
-            (sanitizer ? explain_sanitizer : explain_memcheck)(attempt.output, text, sizeof text);
-            report(trial, (size_t)look.last, name, text);
+            const char *speaker = (sanitizer ? explain_sanitizer
+                                             : explain_memcheck)(attempt.output, text, sizeof text);
+            report(trial, (size_t)look.last, speaker, text);
         } else if (result == 0 && look.differs) {
-            report_difference(trial, &look, name, &attempt);
+            report_difference(trial, &look, tool_name, &attempt);
         }
         attempt_release(&attempt);
         if (result != 0)
@@ -210,8 +269,8 @@ static int look_with(struct trial *trial, enum series_tool tool, size_t input_li
 int trial_check_undefined_behaviour(struct trial *trial, struct error *err)
 {
     struct check_result *check = &trial->checks[CHECK_UNDEFINED_BEHAVIOUR];
-    check_say(check, VERDICT_PASSED, "", "The sanitizers and valgrind found nothing.%s",
-              "Ni los sanitizers ni valgrind encontraron nada.%s", "");
+    check_say(check, VERDICT_PASSED, "", "AddressSanitizer, UBSan and valgrind found nothing.%s",
+              "AddressSanitizer, UBSan y valgrind no encontraron nada.%s", "");
     for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
         if (trial->cases[i].run && trial->cases[i].attempt.verdict == VERDICT_UNDEFINED_BEHAVIOUR) {
             *check = (struct check_result){.verdict = VERDICT_UNDEFINED_BEHAVIOUR};

@@ -4,11 +4,72 @@
 #include <stdlib.h>
 #include <string.h>
 
-static struct cause *find_or_add(struct causes *causes, const char *slug)
+/* ---------------------------------------------------------------- hints */
+
+/* Where the hint of a message begins: behind its first sentence, which tells what was found in the
+ * one case. */
+static const char *hint_of(const char *message)
+{
+    const char *end = strstr(message, ". ");
+    return end ? end + 2 : "";
+}
+
+static bool is_number_part(char c)
+{
+    return (c >= '0' && c <= '9') || c == '-';
+}
+
+/* Whether two hints say the same, whatever numbers they name. */
+static bool is_same_hint(const char *one, const char *other)
+{
+    while (*one && *other) {
+        if (is_number_part(*one) && is_number_part(*other)) {
+            while (is_number_part(*one))
+                one++;
+            while (is_number_part(*other))
+                other++;
+        } else if (*one++ != *other++) {
+            return false;
+        }
+    }
+    return *one == *other;
+}
+
+/* ---------------------------------------------------------------- the list */
+
+/* What a case or check says of lost points. */
+struct note {
+    const char *slug;
+    const char *check; /* name of the check, "" of a case: one verdict can be of two checks */
+    struct words message;
+    const json_t *one; /* the case; NULL when it is none */
+};
+
+static struct cause *find(const struct causes *causes, const struct note *note)
+{
+    for (size_t i = 0; i < causes->count; i++) {
+        struct cause *cause = &causes->list[i];
+        if (strcmp(cause->slug, note->slug) == 0 && strcmp(cause->check, note->check) == 0 &&
+            is_same_hint(hint_of(cause->example.en), hint_of(note->message.en)))
+            return cause;
+    }
+    return NULL;
+}
+
+/* The cause of this slug that a student has already. */
+static struct cause *find_of_student(const struct causes *causes, const struct note *note,
+                                     size_t student)
 {
     for (size_t i = 0; i < causes->count; i++)
-        if (strcmp(causes->list[i].slug, slug) == 0)
+        if (strcmp(causes->list[i].slug, note->slug) == 0 &&
+            strcmp(causes->list[i].check, note->check) == 0 &&
+            causes->touched[causes->list[i].row * causes->student_count + student])
             return &causes->list[i];
+    return NULL;
+}
+
+static struct cause *add(struct causes *causes, const struct note *note, const json_t *result)
+{
     struct cause *list = realloc(causes->list, (causes->count + 1) * sizeof *list);
     if (!list)
         return NULL;
@@ -20,27 +81,32 @@ static struct cause *find_or_add(struct causes *causes, const char *slug)
     causes->touched = touched;
     memset(touched + causes->count * columns, 0, columns * sizeof *touched);
     struct cause *added = &list[causes->count];
-    *added = (struct cause){.slug = slug, .example = {"", ""}, .row = causes->count};
+    *added = (struct cause){.slug = note->slug,
+                            .check = note->check,
+                            .example = note->message,
+                            .result = result,
+                            .row = causes->count};
     causes->count++;
     return added;
 }
 
-/* Notes that `student` lost points by `slug`; `one` is the case that says so, or NULL. */
-static int note(struct causes *causes, size_t student, const json_t *result, const char *slug,
-                struct words message, const json_t *one)
+/* Notes that `student` lost points. Of the cases of one slug the first tells the student's cause:
+ * the others are the same mistake on other inputs. */
+static int take_note(struct causes *causes, size_t student, const json_t *result,
+                     const struct note *note)
 {
-    struct cause *cause = find_or_add(causes, slug);
+    struct cause *cause = find_of_student(causes, note, student);
+    if (!cause)
+        cause = find(causes, note);
+    if (!cause)
+        cause = add(causes, note, result);
     if (!cause)
         return -1;
     bool *touched = &causes->touched[cause->row * causes->student_count + student];
     cause->student_count += !*touched;
     *touched = true;
-    if (!*cause->example.en) {
-        cause->example = message;
-        cause->result = result;
-    }
-    if (!cause->case_name && json_is_true(json_object_get(one, "scene"))) {
-        cause->case_name = result_text(one, "name");
+    if (!cause->case_name && json_is_true(json_object_get(note->one, "scene"))) {
+        cause->case_name = result_text(note->one, "name");
         cause->scene_result = result;
     }
     return 0;
@@ -52,20 +118,22 @@ static int note_result(struct causes *causes, size_t student, const json_t *resu
     json_t *part;
     json_array_foreach(json_object_get(result, "cases"), i, part)
     {
+        struct note note = {result_text(part, "cause"), "", words_in(part, "message"), part};
         if (words_outcome(result_text(part, "verdict")) == OUTCOME_FAILED &&
-            note(causes, student, result, result_text(part, "cause"), words_in(part, "message"),
-                 part) != 0)
+            take_note(causes, student, result, &note) != 0)
             return -1;
     }
     json_array_foreach(json_object_get(result, "checks"), i, part)
     {
-        if (words_outcome(result_text(part, "verdict")) == OUTCOME_FAILED &&
-            note(causes, student, result, result_text(part, "verdict"), words_in(part, "message"),
-                 NULL) != 0)
+        struct note note = {result_text(part, "verdict"), result_text(part, "name"),
+                            words_in(part, "message"), NULL};
+        if (words_outcome(note.slug) == OUTCOME_FAILED &&
+            take_note(causes, student, result, &note) != 0)
             return -1;
     }
-    if (strcmp(result_text(result, "verdict"), "compile-error") == 0)
-        return note(causes, student, result, "compile-error", words_in(result, "summary"), NULL);
+    struct note refusal = {"compile-error", "", words_in(result, "summary"), NULL};
+    if (strcmp(result_text(result, "verdict"), refusal.slug) == 0)
+        return take_note(causes, student, result, &refusal);
     return 0;
 }
 
@@ -75,7 +143,8 @@ static int by_frequency(const void *a, const void *b)
     const struct cause *other = b;
     if (one->student_count != other->student_count)
         return one->student_count > other->student_count ? -1 : 1;
-    return strcmp(one->slug, other->slug);
+    int order = strcmp(one->slug, other->slug);
+    return order ? order : one->row < other->row ? -1 : one->row > other->row;
 }
 
 int causes_of(const struct gradebook *book, size_t exercise, struct causes *causes,

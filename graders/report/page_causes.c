@@ -58,6 +58,8 @@ static void write_cause(struct html *page, const struct gradebook *book,
     if (*cause->example.en) {
         html_open(page, "span");
         html_attribute(page, "class", "example");
+        if (cause->student_count > 1)
+            html_both(page, (struct words){"For example: ", "Por ejemplo: "});
         html_both(page, cause->example);
         html_close(page, "span");
     }

@@ -136,8 +136,8 @@ static void write_bar(struct html *page, const char *class_name, struct words la
                       double most)
 {
     enum { WIDTH = 300, HEIGHT = 16 };
-    char text[32];
-    chart_number(bytes, text, sizeof text);
+    char text[48];
+    words_of_bytes(bytes, text, sizeof text);
     html_open(page, "tr");
     html_open(page, "th");
     html_attribute(page, "scope", "row");
@@ -157,9 +157,40 @@ static void write_bar(struct html *page, const char *class_name, struct words la
     html_close(page, "svg");
     html_close(page, "td");
     html_open(page, "td");
-    html_format(page, "%s bytes", text);
+    html_text(page, text);
     html_close(page, "td");
     html_close(page, "tr");
+}
+
+/* Which input the measure is of: "mesh, n = 27648". */
+static void write_memory_input(struct html *page, const json_t *result)
+{
+    const json_t *memory = json_object_get(json_object_get(result, "measures"), "memory");
+    const json_t *decides = json_array_get(json_object_get(memory, "families"), 0);
+    size_t size_count = json_array_size(json_object_get(decides, "peak_bytes"));
+    if (size_count > 0 &&
+        number_at(decides, "peak_bytes", size_count - 1) == result_number(memory, "peak_bytes")) {
+        html_leaf(page, "code", NULL, result_text(decides, "name"));
+        html_text(page, ", ");
+    }
+    html_format(page, "n = %.0f", result_number(memory, "size"));
+}
+
+static void write_memory_chart(struct html *page, const json_t *result)
+{
+    json_t *scene = chart_of_memory(result);
+    if (!scene)
+        return;
+    html_open(page, "div");
+    html_open(page, "p");
+    html_both(page, (struct words){"The same at all sizes of ", "Lo mismo en cada tamaño de "});
+    html_leaf(page, "code", NULL, result_text(scene, "subtitle"));
+    html_close(page, "p");
+    chart_draw(page, scene,
+               (struct words){"Peak memory of submission and reference against size",
+                              "Memoria máxima de la entrega y la referencia según el tamaño"});
+    html_close(page, "div");
+    json_decref(scene);
 }
 
 static void write_memory(struct html *page, const json_t *result)
@@ -173,14 +204,16 @@ static void write_memory(struct html *page, const json_t *result)
     html_attribute(page, "class", "measure");
     html_both_leaf(page, "h3", NULL, (struct words){"Peak memory", "Memoria máxima"});
     html_open(page, "p");
-    html_format(page, "n = %.0f: ", result_number(memory, "size"));
-    html_format(page, "%.2f ", result_number(memory, "ratio"));
+    write_memory_input(page, result);
+    html_format(page, ": %.2f ", result_number(memory, "ratio"));
     html_both(page, (struct words){"times the reference; allowed: ",
                                    "veces la referencia; se permiten: "});
     html_format(page, "%.6g", result_number(memory, "band"));
     if (json_object_get(memory, "allocations")) {
-        html_format(page, "; %.0f ", result_number(memory, "allocations"));
-        html_both(page, (struct words){"allocations", "reservas"});
+        double count = result_number(memory, "allocations");
+        html_format(page, "; %.0f ", count);
+        html_both(page, count == 1 ? (struct words){"allocation", "reserva"}
+                                   : (struct words){"allocations", "reservas"});
     }
     html_close(page, "p");
     html_open(page, "div");
@@ -193,12 +226,7 @@ static void write_memory(struct html *page, const json_t *result)
     write_bar(page, "limit", (struct words){"allowed", "permitida"}, limit, most);
     html_close(page, "tbody");
     html_close(page, "table");
-    json_t *scene = chart_of_memory(result);
-    if (scene)
-        chart_draw(page, scene,
-                   (struct words){"Peak memory of submission and reference against size",
-                                  "Memoria máxima de la entrega y la referencia según el tamaño"});
-    json_decref(scene);
+    write_memory_chart(page, result);
     html_close(page, "div");
     html_close(page, "div");
 }
@@ -212,8 +240,10 @@ static void write_work(struct html *page, const json_t *work)
     html_both(page, (struct words){"times the reference; allowed: ",
                                    "veces la referencia; se permiten: "});
     html_format(page, "%.6g", result_number(work, "band"));
-    if (json_object_get(work, "instruction_ratio"))
-        html_format(page, "; instructions × %.2f", result_number(work, "instruction_ratio"));
+    if (json_object_get(work, "instruction_ratio")) {
+        html_both(page, (struct words){"; instructions × ", "; instrucciones × "});
+        html_format(page, "%.2f", result_number(work, "instruction_ratio"));
+    }
     if (json_object_get(work, "miss_ratio")) {
         html_both(page, (struct words){", cache misses × ", ", fallos de caché × "});
         html_format(page, "%.2f", result_number(work, "miss_ratio"));
@@ -223,7 +253,6 @@ static void write_work(struct html *page, const json_t *work)
 
 void page_measures(struct html *page, const json_t *result)
 {
-
     const json_t *measures = json_object_get(result, "measures");
     bool has_growth = chart_growth_family(result) != NULL;
     const json_t *memory = json_object_get(measures, "memory");

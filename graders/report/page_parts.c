@@ -1,6 +1,7 @@
 /* What the pages share; see page.h. */
 #include "graders/report/page.h"
 
+#include "graders/plural.h"
 #include "graders/report/documents.h"
 
 #include <string.h>
@@ -225,14 +226,10 @@ static void count_of_result(const json_t *result, json_t *active, json_t *inacti
     }
 }
 
-static void write_counts(struct html *page, struct words title, json_t *counts, size_t total,
-                         struct words none)
+static void write_count_list(struct html *page, json_t *counts, size_t total)
 {
-    html_both_leaf(page, "h3", NULL, title);
-    if (json_object_size(counts) == 0) {
-        html_both_leaf(page, "p", "quiet", none);
+    if (json_object_size(counts) == 0)
         return;
-    }
     html_open(page, "ul");
     html_attribute(page, "class", "facts");
     const char *text;
@@ -250,6 +247,91 @@ static void write_counts(struct html *page, struct words title, json_t *counts, 
         }
         html_close(page, "li");
     }
+    html_close(page, "ul");
+}
+
+static void write_counts(struct html *page, struct words title, json_t *counts, size_t total,
+                         struct words none)
+{
+    html_both_leaf(page, "h3", NULL, title);
+    if (json_object_size(counts) == 0)
+        html_both_leaf(page, "p", "quiet", none);
+    write_count_list(page, counts, total);
+}
+
+/* ---------------------------------------------------------------- not measured */
+
+/* A check that gave no points because its measure was not taken. A missing valgrind is told once,
+ * with the probes. */
+static bool is_unmeasured(const json_t *check)
+{
+    return strcmp(result_text(check, "verdict"), "not-measured") == 0 &&
+           strcmp(result_text(check, "cause"), "no-valgrind") != 0;
+}
+
+static void write_unmeasured(struct html *page, const json_t *result, const json_t *check)
+{
+    html_open(page, "li");
+    html_open(page, "bdi");
+    html_json(page, json_object_get(result, "student"));
+    html_close(page, "bdi");
+    html_format(page, ", %s: ", result_text(result, "problem"));
+    html_both(page, words_in(check, "title"));
+    html_text(page, ". ");
+    html_both(page, words_in(check, "message"));
+    html_close(page, "li");
+}
+
+static size_t write_unmeasured_of(struct html *page, const json_t *result)
+{
+    size_t found = 0;
+    size_t i;
+    json_t *check;
+    json_array_foreach(json_object_get(result, "checks"), i, check)
+    {
+        if (!is_unmeasured(check))
+            continue;
+        write_unmeasured(page, result, check);
+        found++;
+    }
+    return found;
+}
+
+static void write_not_run(struct html *page, size_t case_count, size_t answer_count)
+{
+    char en[160];
+    char es[160];
+    snprintf(en, sizeof en,
+             "Not run: %zu case%s of %zu answer%s, because earlier ones did not end in time.",
+             case_count, plural_ending((long long)case_count), answer_count,
+             plural_ending((long long)answer_count));
+    snprintf(es, sizeof es,
+             "Sin ejecutar: %zu caso%s de %zu respuesta%s, porque otros no terminaron a tiempo.",
+             case_count, plural_ending((long long)case_count), answer_count,
+             plural_ending((long long)answer_count));
+    html_both_leaf(page, "li", NULL, (struct words){en, es});
+}
+
+/* What was not measured although its probe was there: checks that a tool could not finish, cases
+ * that were left out. */
+static void write_left_out(struct html *page, json_t *const *results, size_t result_count,
+                           bool probes_are_missing)
+{
+    size_t unmeasured = 0, case_count = 0, answer_count = 0;
+    html_open(page, "ul");
+    html_attribute(page, "class", "facts");
+    for (size_t i = 0; i < result_count; i++) {
+        size_t not_run = result_not_run(results[i], NULL).count;
+        unmeasured += write_unmeasured_of(page, results[i]);
+        case_count += not_run;
+        answer_count += not_run > 0;
+    }
+    if (case_count > 0)
+        write_not_run(page, case_count, answer_count);
+    if (unmeasured + case_count == 0 && !probes_are_missing)
+        html_both_leaf(page, "li", "quiet",
+                       (struct words){"Every tool was there, and finished what it was to measure.",
+                                      "Todas las herramientas estaban y terminaron sus medidas."});
     html_close(page, "ul");
 }
 
@@ -276,9 +358,9 @@ void page_protections(struct html *page, json_t *const *results, size_t result_c
                  (struct words){"All were active.", "Todas estaban activas."});
     html_close(page, "div");
     html_open(page, "div");
-    write_counts(page, (struct words){"Not measured", "No medido"}, missing, total,
-                 (struct words){"Every probe was there; everything was measured.",
-                                "Todas las sondas estaban; se midió todo."});
+    html_both_leaf(page, "h3", NULL, (struct words){"Not measured", "No medido"});
+    write_count_list(page, missing, total);
+    write_left_out(page, results, result_count, json_object_size(missing) > 0);
     html_close(page, "div");
     html_close(page, "div");
     json_decref(active);

@@ -42,7 +42,7 @@ static void write_overview(struct html *page, const struct gradebook *book,
 
 static enum outcome outcome_of_points(double points, double max_points, const char *verdict)
 {
-    if (verdict && words_outcome(verdict) == OUTCOME_ABSENT)
+    if (words_outcome(verdict) == OUTCOME_ABSENT)
         return OUTCOME_ABSENT;
     if (points >= max_points)
         return OUTCOME_PASSED;
@@ -93,27 +93,45 @@ static void write_row_head(struct html *page, enum outcome outcome, struct words
     html_close(page, "th");
 }
 
+/* Why cases were not run, below the table of classes. */
+static void write_not_run(struct html *page, const json_t *result)
+{
+    struct not_run not_run = result_not_run(result, NULL);
+    if (not_run.count == 0)
+        return;
+    html_open(page, "p");
+    html_attribute(page, "class", "quiet");
+    html_both(page, not_run.reason);
+    html_text(page, " ");
+    html_both(page, (struct words){"What was not run gives no points; mend what stands below "
+                                   "first, then the others are run too.",
+                                   "Lo que no se ejecutó no da puntos; corrige primero lo de abajo "
+                                   "y se ejecutarán también los demás."});
+    html_close(page, "p");
+}
+
 static void write_classes(struct html *page, const json_t *result)
 {
     size_t i;
     json_t *part;
+    html_open(page, "div");
     start_points_table(page, (struct words){"Class of input", "Clase de entrada"},
                        (struct words){"Cases", "Casos"});
     json_array_foreach(json_object_get(result, "classes"), i, part)
     {
-        double points = result_number(part, "points");
-        double max_points = result_number(part, "max_points");
-        write_row_head(page, outcome_of_points(points, max_points, NULL), words_in(part, "title"));
-        html_open(page, "td");
-        html_format(page, "%lld", json_integer_value(json_object_get(part, "passed")));
-        html_both(page, (struct words){" of ", " de "});
-        html_format(page, "%lld", json_integer_value(json_object_get(part, "cases")));
-        html_close(page, "td");
-        write_points(page, points, max_points);
+        char en[80];
+        char es[80];
+        result_class_tally(result, part, false, en, sizeof en);
+        result_class_tally(result, part, true, es, sizeof es);
+        write_row_head(page, result_class_outcome(result, part), words_in(part, "title"));
+        html_both_leaf(page, "td", NULL, (struct words){en, es});
+        write_points(page, result_number(part, "points"), result_number(part, "max_points"));
         html_close(page, "tr");
     }
     html_close(page, "tbody");
     html_close(page, "table");
+    write_not_run(page, result);
+    html_close(page, "div");
 }
 
 static void write_checks(struct html *page, const json_t *result)

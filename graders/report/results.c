@@ -32,6 +32,62 @@ enum outcome result_outcome(const json_t *result)
     return score > 0 ? OUTCOME_PARTIAL : OUTCOME_FAILED;
 }
 
+/* ---------------------------------------------------------------- classes of cases */
+
+struct not_run result_not_run(const json_t *result, const char *class_name)
+{
+    struct not_run not_run = {.reason = {"", ""}};
+    size_t i;
+    json_t *one;
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        if (strcmp(result_text(one, "verdict"), "not-reached") != 0 ||
+            (class_name && strcmp(result_text(one, "class"), class_name) != 0))
+            continue;
+        if (not_run.count++ == 0)
+            not_run.reason = words_in(one, "message");
+    }
+    return not_run;
+}
+
+/* How many cases of a class there are, how many were run, and how many passed. */
+struct tally {
+    long long cases, run, passed;
+};
+
+static struct tally tally_of(const json_t *result, const json_t *class_entry)
+{
+    long long cases = json_integer_value(json_object_get(class_entry, "cases"));
+    struct not_run not_run = result_not_run(result, result_text(class_entry, "name"));
+    return (struct tally){cases, cases - (long long)not_run.count,
+                          json_integer_value(json_object_get(class_entry, "passed"))};
+}
+
+enum outcome result_class_outcome(const json_t *result, const json_t *class_entry)
+{
+    double points = result_number(class_entry, "points");
+    if (points >= result_number(class_entry, "max_points"))
+        return OUTCOME_PASSED;
+    if (points > 0)
+        return OUTCOME_PARTIAL;
+    return tally_of(result, class_entry).run <= 0 ? OUTCOME_ABSENT : OUTCOME_FAILED;
+}
+
+void result_class_tally(const json_t *result, const json_t *class_entry, bool spanish, char *text,
+                        size_t capacity)
+{
+    struct tally tally = tally_of(result, class_entry);
+    const char *not_run = spanish ? "sin ejecutar" : "not run";
+    const char *of = spanish ? "de" : "of";
+    if (tally.run <= 0)
+        snprintf(text, capacity, "%s", not_run);
+    else if (tally.run < tally.cases)
+        snprintf(text, capacity, "%lld %s %lld, %lld %s", tally.passed, of, tally.run,
+                 tally.cases - tally.run, not_run);
+    else
+        snprintf(text, capacity, "%lld %s %lld", tally.passed, of, tally.cases);
+}
+
 /* ---------------------------------------------------------------- the files */
 
 static int load_file(const char *out, const char *folder, const char *file, json_t *all,

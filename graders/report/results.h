@@ -48,6 +48,23 @@ void gradebook_release(struct gradebook *book);
  * absent for NULL. */
 enum outcome result_outcome(const json_t *result);
 
+/* The cases of a class that were left out, because others before them did not end in time. */
+struct not_run {
+    size_t count;
+    struct words reason; /* what the first of them says; both empty when there is none */
+};
+
+/* Those of a class of a result; of all its classes when class_name is NULL. */
+struct not_run result_not_run(const json_t *result, const char *class_name);
+
+/* The outcome of a class, an entry of the result's classes: absent when no case of it was run. */
+enum outcome result_class_outcome(const json_t *result, const json_t *class_entry);
+
+/* How many of the class's cases passed: "3 of 4", "0 of 2, 2 not run", "not run". Writes at most
+ * `capacity` bytes. */
+void result_class_tally(const json_t *result, const json_t *class_entry, bool spanish, char *text,
+                        size_t capacity);
+
 /* A string of an object, borrowed; "" when it is not there. Not for untrusted text with NUL. */
 const char *result_text(const json_t *object, const char *key);
 

@@ -1,6 +1,7 @@
 /* One result on a terminal; see terminal.h. The table of marks is in terminal_marks.c. */
 #include "graders/report/terminal.h"
 
+#include "graders/plural.h"
 #include "graders/report/clean.h"
 #include "graders/report/results.h"
 #include "graders/report/terminal_text.h"
@@ -156,39 +157,38 @@ static void put_row(FILE *to, const struct terminal_style *style, enum outcome o
     fputc('\n', to);
 }
 
-static enum outcome outcome_of(const json_t *part, bool is_absent)
+static enum outcome outcome_of_check(const json_t *check)
 {
-    if (is_absent)
+    if (words_outcome(result_text(check, "verdict")) == OUTCOME_ABSENT)
         return OUTCOME_ABSENT;
-    if (result_number(part, "points") >= result_number(part, "max_points"))
+    if (result_number(check, "points") >= result_number(check, "max_points"))
         return OUTCOME_PASSED;
-    return result_number(part, "points") > 0 ? OUTCOME_PARTIAL : OUTCOME_FAILED;
+    return result_number(check, "points") > 0 ? OUTCOME_PARTIAL : OUTCOME_FAILED;
 }
 
 static void put_points(FILE *to, const json_t *result, const struct terminal_style *style)
 {
     size_t i;
     json_t *part;
-    char middle[64];
     json_array_foreach(json_object_get(result, "classes"), i, part)
     {
+        char tally[64];
+        char middle[80];
         long long cases = json_integer_value(json_object_get(part, "cases"));
-        long long passed = json_integer_value(json_object_get(part, "passed"));
-        if (cases == 0)
-            snprintf(middle, sizeof middle, "%s",
-                     words_choose(words_verdict("not-reached"), style->spanish));
-        else if (style->spanish)
-            snprintf(middle, sizeof middle, "%lld de %lld casos", passed, cases);
-        else
-            snprintf(middle, sizeof middle, "%lld of %lld cases", passed, cases);
-        put_row(to, style, outcome_of(part, cases == 0), words_in(part, "title"), middle, part);
+        size_t left_out = result_not_run(result, result_text(part, "name")).count;
+        result_class_tally(result, part, style->spanish, tally, sizeof tally);
+        snprintf(middle, sizeof middle, "%s%s%s", tally,
+                 cases == 0 || left_out > 0 ? ""
+                 : style->spanish           ? " caso"
+                                            : " case",
+                 cases == 0 || left_out > 0 ? "" : plural_ending(cases));
+        put_row(to, style, result_class_outcome(result, part), words_in(part, "title"), middle,
+                part);
     }
     json_array_foreach(json_object_get(result, "checks"), i, part)
     {
-        const char *verdict = result_text(part, "verdict");
-        bool is_absent = words_outcome(verdict) == OUTCOME_ABSENT;
-        put_row(to, style, outcome_of(part, is_absent), words_in(part, "title"),
-                words_choose(words_verdict(verdict), style->spanish), part);
+        put_row(to, style, outcome_of_check(part), words_in(part, "title"),
+                words_choose(words_verdict(result_text(part, "verdict")), style->spanish), part);
     }
 }
 
@@ -219,7 +219,16 @@ static void put_score(FILE *to, const json_t *result, const struct terminal_styl
 
 /* ---------------------------------------------------------------- the rest */
 
-/* Failed checks say why; the one that the first lines told does not say it again. */
+/* Whether a check says why it gave no points: it failed, or a tool could not finish it. */
+static bool tells_why(const json_t *check)
+{
+    const char *verdict = result_text(check, "verdict");
+    return words_outcome(verdict) == OUTCOME_FAILED ||
+           (strcmp(verdict, "not-measured") == 0 &&
+            strcmp(result_text(check, "cause"), "no-valgrind") != 0);
+}
+
+/* Checks without points say why; the one that the first lines told does not say it again. */
 static void put_check_messages(FILE *to, const json_t *result, const struct terminal_style *style)
 {
     size_t i;
@@ -229,8 +238,7 @@ static void put_check_messages(FILE *to, const json_t *result, const struct term
     json_array_foreach(json_object_get(result, "checks"), i, check)
     {
         const char *message = words_choose(words_in(check, "message"), style->spanish);
-        if (check == told || words_outcome(result_text(check, "verdict")) != OUTCOME_FAILED ||
-            !*message)
+        if (check == told || !tells_why(check) || !*message)
             continue;
         fputs(any ? "" : "\n", to);
         any = true;
@@ -274,6 +282,16 @@ static void put_diagnostics(FILE *to, const json_t *result, const struct termina
     terminal_block(to, "  ", diagnostics, 12);
 }
 
+/* Why cases were left out. */
+static void put_not_run(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    struct not_run not_run = result_not_run(result, NULL);
+    if (not_run.count == 0)
+        return;
+    fputc('\n', to);
+    terminal_paragraph(to, "  ", words_choose(not_run.reason, style->spanish));
+}
+
 static void put_not_measured(FILE *to, const json_t *result, const struct terminal_style *style)
 {
     size_t i;
@@ -294,6 +312,7 @@ void terminal_print_result(FILE *to, const json_t *result, const struct terminal
     put_score(to, result, style);
     put_points(to, result, style);
     put_diagnostics(to, result, style);
+    put_not_run(to, result, style);
     put_check_messages(to, result, style);
     put_other_cases(to, result, style);
     put_not_measured(to, result, style);

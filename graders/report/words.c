@@ -1,6 +1,9 @@
 /* The words of reports; see words.h. */
 #include "graders/report/words.h"
 
+#include "graders/plural.h"
+
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -96,6 +99,20 @@ void words_of_slug(const char *slug, char *text, size_t capacity)
     for (char *c = text; *c; c++)
         if (*c == '-')
             *c = ' ';
+}
+
+void words_of_bytes(double bytes, char *text, size_t capacity)
+{
+    static const char *const units[] = {"KB", "MB", "GB", "TB"};
+    enum { LEAST_BYTES = 10000 };
+    size_t unit = 0;
+    if (bytes < LEAST_BYTES) {
+        snprintf(text, capacity, "%.0f byte%s", bytes, plural_ending(llround(bytes)));
+        return;
+    }
+    for (bytes /= 1024; bytes >= LEAST_BYTES && unit + 1 < sizeof units / sizeof *units; unit++)
+        bytes /= 1024;
+    snprintf(text, capacity, "%.*f %s", bytes < 100 ? 1 : 0, bytes, units[unit]);
 }
 
 void words_of_points(double points, char *text, size_t capacity)

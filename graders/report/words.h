@@ -39,6 +39,10 @@ const char *words_symbol(enum outcome outcome);
 /* A slug as words: "duplicate-edge" becomes "duplicate edge". Writes at most `capacity` bytes. */
 void words_of_slug(const char *slug, char *text, size_t capacity);
 
+/* Bytes in the course's units, where a KB is 1024 bytes: "3375 bytes", "64.5 KB", "970 KB". Writes
+ * at most `capacity` bytes. */
+void words_of_bytes(double bytes, char *text, size_t capacity);
+
 /* Points without needless zeros: "10", "7.5", "0.25". Writes at most `capacity` bytes. */
 void words_of_points(double points, char *text, size_t capacity);
 

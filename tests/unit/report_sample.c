@@ -20,6 +20,33 @@ json_t *sample_result(const char *student_folder, const char *exercise)
     return result;
 }
 
+void sample_leave_out(json_t *result, const char *class_name, size_t count)
+{
+    json_t *cases = json_object_get(result, "cases");
+    for (size_t i = json_array_size(cases); i-- > 0 && count > 0;) {
+        json_t *one = json_array_get(cases, i);
+        if (strcmp(json_string_value(json_object_get(one, "class")), class_name) != 0)
+            continue;
+        count--;
+        json_object_set_new(one, "verdict", json_string("not-reached"));
+        json_object_set_new(one, "message",
+                            json_pack("{s:s, s:s}", "en", "Two cases did not end in time.", "es",
+                                      "Dos casos no terminaron a tiempo."));
+        json_object_del(one, "scene");
+        json_object_del(one, "picture");
+    }
+    assert_int_equal(count, 0);
+    size_t i;
+    json_t *part;
+    json_array_foreach(json_object_get(result, "classes"), i, part)
+    {
+        if (strcmp(json_string_value(json_object_get(part, "name")), class_name) != 0)
+            continue;
+        json_object_set_new(part, "points", json_integer(0));
+        json_object_set_new(part, "passed", json_integer(0));
+    }
+}
+
 void sample_copy(char *out)
 {
     char command[300];

@@ -3,9 +3,13 @@
 #define TESTS_UNIT_REPORT_SAMPLE_H
 
 #include <jansson.h>
+#include <stddef.h>
 
 /* One result of the sample, a new reference. */
 json_t *sample_result(const char *student_folder, const char *exercise);
+
+/* Turns the last `count` cases of a class of a result into ones that were not run. */
+void sample_leave_out(json_t *result, const char *class_name, size_t count);
 
 /* Copies results/ and pictures/ into a new folder, whose path of at most 63 bytes goes to `out`. */
 void sample_copy(char *out);

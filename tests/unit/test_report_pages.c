@@ -136,6 +136,55 @@ static void test_the_class_page_says_what_matters(void **state)
     sample_remove(out);
 }
 
+static void test_what_was_not_run_is_said_with_its_reason(void **state)
+{
+    (void)state;
+    char out[64];
+    sample_copy(out);
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    sample_leave_out(result, "closed", 2);
+    sample_store(out, result);
+    json_decref(result);
+    make_pages(out);
+    char *text = sample_read(out, "students/ana-garcia.html");
+    assert_non_null(strstr(text, "not run"));
+    assert_non_null(strstr(text, "Two cases did not end in time."));
+    assert_null(strstr(text, "0 of 2"));
+    assert_non_null(strstr(text, "Not run: 2 cases of 1 answer,"));
+    free(text);
+    sample_remove(out);
+}
+
+/* A check that its tool could not finish is neither hidden nor called measured. */
+static void test_what_was_not_measured_is_listed(void **state)
+{
+    (void)state;
+    char out[64];
+    sample_copy(out);
+    json_t *result = sample_result("ana-garcia", "mesh-area");
+    json_t *checks = json_object_get(result, "checks");
+    json_t *check = json_array_get(checks, json_array_size(checks) - 1);
+    json_object_set_new(check, "verdict", json_string("not-measured"));
+    json_object_set_new(check, "cause", json_string("too-much-for-tool"));
+    json_object_set_new(
+        check, "message",
+        json_pack("{s:s, s:s}", "en", "Not finished within 20 s.", "es", "No terminado en 20 s."));
+    sample_store(out, result);
+    json_decref(result);
+    make_pages(out);
+    static const char *const pages[] = {"index.html", "students/ana-garcia.html"};
+    for (size_t i = 0; i < 2; i++) {
+        char *text = sample_read(out, pages[i]);
+        const char *title = strstr(text, "Not measured</span>");
+        assert_non_null(title);
+        assert_non_null(strstr(title, "No undefined behaviour"));
+        assert_non_null(strstr(title, "Not finished within 20 s."));
+        assert_null(strstr(text, "everything was measured"));
+        free(text);
+    }
+    sample_remove(out);
+}
+
 static void test_the_reason_for_missing_pictures_is_on_the_pages(void **state)
 {
     (void)state;
@@ -197,6 +246,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_what_pages_name_is_there),
         cmocka_unit_test(test_making_pages_again_changes_nothing),
         cmocka_unit_test(test_the_class_page_says_what_matters),
+        cmocka_unit_test(test_what_was_not_run_is_said_with_its_reason),
+        cmocka_unit_test(test_what_was_not_measured_is_listed),
         cmocka_unit_test(test_the_reason_for_missing_pictures_is_on_the_pages),
         cmocka_unit_test(test_unsound_input_makes_no_page),
     };

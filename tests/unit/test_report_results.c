@@ -1,6 +1,7 @@
 /* Reading a class's results: sound ones become a table, others are refused with name and remedy. */
 #include "graders/report/results.h"
 
+#include "graders/report/causes.h"
 #include "graders/report/documents.h"
 #include "tests/unit/report_sample.h"
 
@@ -166,6 +167,92 @@ static void test_safe_names(void **state)
     assert_false(document_is_safe_name(long_name));
 }
 
+static void test_cases_that_were_not_run_are_no_failures(void **state)
+{
+    (void)state;
+    char text[80];
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    const json_t *classes = json_object_get(result, "classes");
+    const json_t *closed = json_array_get(classes, 0), *open = json_array_get(classes, 1);
+    result_class_tally(result, closed, false, text, sizeof text);
+    assert_string_equal(text, "2 of 2");
+    assert_int_equal(result_class_outcome(result, closed), OUTCOME_PASSED);
+    assert_int_equal(result_class_outcome(result, open), OUTCOME_FAILED);
+
+    sample_leave_out(result, "closed", 2);
+    sample_leave_out(result, "open", 1);
+    result_class_tally(result, closed, false, text, sizeof text);
+    assert_string_equal(text, "not run");
+    result_class_tally(result, closed, true, text, sizeof text);
+    assert_string_equal(text, "sin ejecutar");
+    assert_int_equal(result_class_outcome(result, closed), OUTCOME_ABSENT);
+    result_class_tally(result, open, false, text, sizeof text);
+    assert_string_equal(text, "0 of 2, 1 not run");
+    assert_int_equal(result_class_outcome(result, open), OUTCOME_FAILED);
+    assert_int_equal(result_not_run(result, NULL).count, 3);
+    assert_string_equal(result_not_run(result, "open").reason.en, "Two cases did not end in time.");
+    json_decref(result);
+}
+
+/* A result whose first rejected case says `message`. */
+static json_t *with_message(const char *folder, const char *message)
+{
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    json_object_set_new(result, "student_folder", json_string(folder));
+    size_t i;
+    json_t *one;
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        if (strcmp(result_text(one, "verdict"), "wrong-answer") != 0)
+            continue;
+        json_object_set_new(one, "cause", json_string("duplicate-edge"));
+        json_object_set_new(one, "message", json_pack("{s:s, s:s}", "en", message, "es", message));
+        message = "Edge (1,2) is listed twice."; /* the others of the student tell less */
+    }
+    return result;
+}
+
+static void test_a_hint_is_told_only_of_those_who_got_it(void **state)
+{
+    (void)state;
+    json_t *all = json_array();
+    struct gradebook book;
+    struct causes causes;
+    json_array_append_new(all, with_message("a", "Edge (0,1) twice. As (i,j) and (j,i): 6 times."));
+    json_array_append_new(all,
+                          with_message("b", "Edge (7,3) twice. As (i,j) and (j,i): 17 times."));
+    json_array_append_new(all, with_message("c", "Edge (0,1) twice. A neighbour added it."));
+    assert_int_equal(gradebook_from(all, &book, NULL), 0);
+    assert_int_equal(causes_of(&book, 0, &causes, NULL), 0);
+    assert_int_equal(causes.count, 2);
+    assert_int_equal(causes.list[0].student_count, 2);
+    assert_non_null(strstr(causes.list[0].example.en, "(j,i)"));
+    assert_false(causes_touch(&causes, &causes.list[0], 2));
+    assert_int_equal(causes.list[1].student_count, 1);
+    assert_true(causes_touch(&causes, &causes.list[1], 2));
+    causes_release(&causes);
+    gradebook_release(&book);
+    json_decref(all);
+}
+
+static void assert_bytes(double bytes, const char *expected)
+{
+    char text[40];
+    words_of_bytes(bytes, text, sizeof text);
+    assert_string_equal(text, expected);
+}
+
+static void test_bytes_have_the_units_of_the_course(void **state)
+{
+    (void)state;
+    assert_bytes(0, "0 bytes");
+    assert_bytes(1, "1 byte");
+    assert_bytes(3375, "3375 bytes");
+    assert_bytes(65536, "64.0 KB");
+    assert_bytes(993344, "970 KB");
+    assert_bytes(104857600, "100 MB");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -174,6 +261,9 @@ int main(void)
         cmocka_unit_test(test_a_result_must_stand_where_it_says),
         cmocka_unit_test(test_a_class_without_results_is_an_error),
         cmocka_unit_test(test_different_maximum_scores_are_refused),
+        cmocka_unit_test(test_cases_that_were_not_run_are_no_failures),
+        cmocka_unit_test(test_a_hint_is_told_only_of_those_who_got_it),
+        cmocka_unit_test(test_bytes_have_the_units_of_the_course),
         cmocka_unit_test(test_writing_is_atomic_and_only_when_needed),
         cmocka_unit_test(test_safe_names),
     };
