@@ -31,36 +31,36 @@ static void explain_signal(int signal_number, const struct control *claims, stru
     if (signal_number == SIGABRT)
         attempt_say(attempt, VERDICT_CRASH, "abort",
                     "Your function stopped the program with abort or a failed assert.",
-                    "Su función detuvo el programa con abort o con un assert que falla.");
+                    "Tu función detuvo el programa con abort o con un assert que falla.");
     else if (signal_number == SIGFPE)
         attempt_say(attempt, VERDICT_CRASH, "division", "Your function divided an integer by zero.",
-                    "Su función dividió un entero por cero.");
+                    "Tu función dividió un entero por cero.");
     else if (signal_number == SIGILL || signal_number == SIGTRAP)
         attempt_say(attempt, VERDICT_CRASH, "illegal-instruction",
                     "Your function executed an instruction that this machine does not have.",
-                    "Su función ejecutó una instrucción que esta máquina no tiene.");
+                    "Tu función ejecutó una instrucción que esta máquina no tiene.");
     else if (in_answer)
         attempt_say(attempt, VERDICT_CRASH, "wild-pointer",
                     "The pointer that your function returned cannot be read as far as its count "
                     "says.",
-                    "El puntero que devuelve su función no se puede leer hasta donde dice el "
+                    "El puntero que devuelve tu función no se puede leer hasta donde dice el "
                     "número de elementos.");
     else if (claims->fault == FAULT_STACK)
         attempt_say(attempt, VERDICT_CRASH, "stack-overflow",
                     "Your function used up the stack: recursion without end, or a huge local "
                     "array.",
-                    "Su función agotó la pila: recursión sin fin o una variable local enorme.");
+                    "Tu función agotó la pila: recursión sin fin o una variable local enorme.");
     else if (claims->fault == FAULT_INPUT)
         attempt_say(attempt, VERDICT_CRASH, "input",
                     "Your function wrote to its input, which is const, or read beyond its end.",
-                    "Su función escribió en su entrada, que es const, o leyó más allá de su fin.");
+                    "Tu función escribió en su entrada, que es const, o leyó más allá de su fin.");
     else if (claims->fault == FAULT_NULL)
         attempt_say(attempt, VERDICT_CRASH, "null-pointer",
-                    "Your function followed a null pointer.", "Su función siguió un puntero nulo.");
+                    "Your function followed a null pointer.", "Tu función siguió un puntero nulo.");
     else
         attempt_say(attempt, VERDICT_CRASH, "segmentation-fault",
                     "Your function read or wrote memory that is not its own.",
-                    "Su función leyó o escribió memoria que no le pertenece.");
+                    "Tu función leyó o escribió memoria que no le pertenece.");
 }
 
 static void explain_refused_call(const struct box_outcome *outcome, struct attempt *attempt)
@@ -69,11 +69,11 @@ static void explain_refused_call(const struct box_outcome *outcome, struct attem
     if (outcome->refused_is_process)
         attempt_say(attempt, VERDICT_TOO_MANY_PROCESSES, call,
                     "Your function tried to start a process or thread (system call %s).",
-                    "Su función intentó crear un proceso o hilo (llamada al sistema %s).", call);
+                    "Tu función intentó crear un proceso o hilo (llamada al sistema %s).", call);
     else
         attempt_say(attempt, VERDICT_FORBIDDEN_OPERATION, call,
                     "Your function asked the system for something that is not allowed: %s.",
-                    "Su función pidió al sistema algo que no está permitido: %s.",
+                    "Tu función pidió al sistema algo que no está permitido: %s.",
                     outcome->refused_detail[0] ? outcome->refused_detail : call);
 }
 
@@ -81,7 +81,7 @@ static void explain_out_of_memory(struct attempt *attempt)
 {
     attempt_say(attempt, VERDICT_OUT_OF_MEMORY, "memory-limit",
                 "Your function asked for more memory than it may have.",
-                "Su función pidió más memoria de la permitida.");
+                "Tu función pidió más memoria de la permitida.");
 }
 
 /* What a program's own doing can end it with: it may send itself no signal but abort's. */
@@ -113,25 +113,25 @@ int attempt_explain_death(enum call_end end, const struct control *claims,
         explain_out_of_memory(attempt);
     else if (outcome->end == BOX_ENDED_OUTPUT)
         attempt_say(attempt, VERDICT_TOO_MUCH_OUTPUT, "output-limit",
-                    "Your function printed more than 1 MB.", "Su función imprimió más de 1 MB.");
+                    "Your function printed more than 1 MB.", "Tu función imprimió más de 1 MB.");
     else if (end == CALL_CPU || outcome->end == BOX_ENDED_CPU)
         attempt_say(attempt, VERDICT_CPU_TIME, "cpu-limit",
                     "Your function did not end in time: a loop without end, or far too much work.",
-                    "Su función no terminó a tiempo: un bucle sin fin o demasiado trabajo.");
+                    "Tu función no terminó a tiempo: un bucle sin fin o demasiado trabajo.");
     else if (end == CALL_IDLE)
         attempt_say(attempt, VERDICT_IDLE_TIME, "idle-limit",
-                    "Your function waited without working.", "Su función esperó sin trabajar.");
+                    "Your function waited without working.", "Tu función esperó sin trabajar.");
     else if (outcome->end == BOX_ENDED_SIGNAL)
         explain_signal(outcome->signal, claims, attempt);
     else if (outcome->end == BOX_ENDED_EXIT)
         attempt_say(attempt, VERDICT_CRASH, "exit",
                     "Your function ended the program (exit code %d) instead of returning.",
-                    "Su función terminó el programa (código %d) en vez de retornar.",
+                    "Tu función terminó el programa (código %d) en vez de retornar.",
                     outcome->exit_code);
     else
         attempt_say(attempt, VERDICT_CRASH, "broken-protocol",
                     "Your function damaged the program that called it.",
-                    "Su función dañó el programa que la llamó.");
+                    "Tu función dañó el programa que la llamó.");
     return 0;
 }
 
@@ -147,12 +147,12 @@ static bool settle_by_claims(const struct session *session, struct attempt *atte
         attempt_say(attempt, VERDICT_UNDEFINED_BEHAVIOUR, "not-allocated",
                     "A pointer that was not obtained from malloc (or was freed already) was freed: "
                     "return memory from malloc.",
-                    "Se liberó un puntero que no procede de malloc (o ya liberado): devuelva "
+                    "Se liberó un puntero que no procede de malloc (o ya liberado): devuelve "
                     "memoria obtenida con malloc.");
     else if (claims->out_of_memory)
         attempt_say(attempt, VERDICT_WRONG_ANSWER, "claims-out-of-memory",
                     "Your function says that memory ran out, but every request was granted.",
-                    "Su función dice que faltó memoria, pero se concedieron todas las peticiones.");
+                    "Tu función dice que faltó memoria, pero se concedieron todas las peticiones.");
     else if (claims->answer_bytes > session->answer.capacity)
         attempt_say(attempt, VERDICT_WRONG_ANSWER, "answer-too-long",
                     "The answer has more elements than any right one can have.",

@@ -201,7 +201,7 @@ static int judge_work(struct trial *trial, struct error *err)
                   "The counted cost is %.2f times the reference's (at most %.4g), but the time is "
                   "not: that is in your favour.",
                   "El coste contado es %.2f veces el de la referencia (como mucho %.4g), pero el "
-                  "tiempo no: la duda le favorece.",
+                  "tiempo no: la duda te favorece.",
                   trial->work_ratio, exercise->work_band);
     else
         check_say(check, VERDICT_TOO_MUCH_WORK, "work-band",

@@ -225,7 +225,7 @@ static int check_stack_note(struct object *o, const Elf64_Shdr *section)
                   "The code needs an executable stack (a pointer to a nested function?); write the "
                   "inner function outside.",
                   "El código necesita una pila ejecutable (¿un puntero a una función anidada?); "
-                  "escriba fuera la función interior.");
+                  "escribe fuera la función interior.");
 }
 
 static bool type_fits(const char *name, const Elf64_Shdr *section)

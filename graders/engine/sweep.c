@@ -36,16 +36,16 @@ static int judge_call(struct trial *trial, const struct series *series, size_t i
         check_say(check, VERDICT_CRASH, "allocation-failure",
                   "In case %s your function does not survive that allocation number %lld fails: "
                   "test what malloc returns.",
-                  "En el caso %s su función no sobrevive si falla la reserva número %lld: "
-                  "compruebe lo que devuelve malloc.",
+                  "En el caso %s tu función no sobrevive si falla la reserva número %lld: "
+                  "comprueba lo que devuelve malloc.",
                   name, failing);
         return 0;
     }
     if (attempt->claims.heap_left_bytes > 0) {
         check_say(check, VERDICT_LEAK, "allocation-failure",
-                  "In case %s, when allocation number %lld fails, %lld bytes are never freed.",
-                  "En el caso %s, si falla la reserva número %lld, no se liberan %lld bytes.", name,
-                  failing, (long long)attempt->claims.heap_left_bytes);
+                  "In case %s, when allocation number %lld fails, bytes are never freed: %lld.",
+                  "En el caso %s, si falla la reserva número %lld, hay bytes sin liberar: %lld.",
+                  name, failing, (long long)attempt->claims.heap_left_bytes);
         return 0;
     }
     if (attempt->claims.out_of_memory)
@@ -56,7 +56,7 @@ static int judge_call(struct trial *trial, const struct series *series, size_t i
         check_say(check, VERDICT_WRONG_ANSWER, "allocation-failure",
                   "In case %s, when allocation number %lld fails, your function neither reports it "
                   "nor answers right.",
-                  "En el caso %s, si falla la reserva número %lld, su función ni avisa ni responde "
+                  "En el caso %s, si falla la reserva número %lld, tu función ni avisa ni responde "
                   "bien.",
                   name, failing);
     return 0;

@@ -1,6 +1,8 @@
 /* The life of one submission after upload: build, cases, checks; see trial.h. */
 #include "graders/engine/trial.h"
 
+#include "graders/plural.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,13 +37,15 @@ static void check_leak(struct trial *trial)
             (least && claims->heap_left_bytes >= least->heap_left_bytes))
             continue;
         least = claims;
-        check_say(check, VERDICT_LEAK, "leak",
-                  "In case %s your function leaves %lld bytes in %lld blocks that nobody can free "
-                  "any more.",
-                  "En el caso %s su función deja %lld bytes en %lld bloques que ya nadie puede "
-                  "liberar.",
-                  judge->cases[i].name, (long long)claims->heap_left_bytes,
-                  (long long)claims->leaked_blocks);
+        check_say(
+            check, VERDICT_LEAK, "leak",
+            "In case %s your function leaves %lld byte%s in %lld block%s that nobody can free "
+            "any more.",
+            "En el caso %s tu función deja %lld byte%s en %lld bloque%s que ya nadie puede "
+            "liberar.",
+            judge->cases[i].name, (long long)claims->heap_left_bytes,
+            plural_ending(claims->heap_left_bytes), (long long)claims->leaked_blocks,
+            plural_ending(claims->leaked_blocks));
     }
 }
 

@@ -132,7 +132,12 @@ static void write_term(struct html *page, struct words term, const char *text)
 static void write_facts(struct html *page, const json_t *result, const json_t *one)
 {
     html_open(page, "dl");
-    write_term(page, (struct words){"where", "dónde"}, result_text(one, "element"));
+    char element[400];
+    if (*result_text(one, "element")) {
+        html_both_leaf(page, "dt", NULL, (struct words){"where", "dónde"});
+        html_both_leaf(page, "dd", NULL,
+                       words_element(result_text(one, "element"), element, sizeof element));
+    }
     size_t i;
     json_t *part;
     json_array_foreach(json_object_get(result, "classes"), i, part)
@@ -143,8 +148,11 @@ static void write_facts(struct html *page, const json_t *result, const json_t *o
         html_both_leaf(page, "dd", NULL, words_in(part, "title"));
     }
     char cause[64];
-    words_of_slug(result_text(one, "cause"), cause, sizeof cause);
-    write_term(page, (struct words){"cause", "causa"}, cause);
+    if (*result_text(one, "cause")) {
+        html_both_leaf(page, "dt", NULL, (struct words){"cause", "causa"});
+        html_both_leaf(page, "dd", NULL,
+                       words_cause(result_text(one, "cause"), cause, sizeof cause));
+    }
     write_term(page, (struct words){"seed", "semilla"}, result_text(one, "seed"));
     html_close(page, "dl");
     if (*result_text(one, "reproduce")) {

@@ -49,12 +49,7 @@ static void write_cause(struct html *page, const struct gradebook *book,
     html_format(page, "%zu", causes->answer_count);
     html_close(page, "span");
     html_open(page, "div");
-    if (words_know_verdict(cause->slug)) {
-        html_both_leaf(page, "b", NULL, words_verdict(cause->slug));
-    } else {
-        words_of_slug(cause->slug, label, sizeof label);
-        html_leaf(page, "b", NULL, label);
-    }
+    html_both_leaf(page, "b", NULL, words_cause(cause->slug, label, sizeof label));
     if (*cause->example.en) {
         html_open(page, "span");
         html_attribute(page, "class", "example");

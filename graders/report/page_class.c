@@ -14,28 +14,41 @@ static void write_number(struct html *page, const char *number, struct words lab
     html_close(page, "div");
 }
 
+/* The sum of the totals that are final, and how many those are. */
+static double sum_of_totals(const struct gradebook *book, size_t *count)
+{
+    double sum = 0;
+    *count = 0;
+    for (size_t s = 0; s < book->student_count; s++) {
+        if (book->students[s].unscored > 0)
+            continue;
+        sum += book->students[s].score;
+        (*count)++;
+    }
+    return sum;
+}
+
 static void write_totals(struct html *page, const struct gradebook *book)
 {
     size_t counts[OUTCOME_COUNT] = {0};
-    double sum = 0;
     size_t scored = 0;
-    for (size_t s = 0; s < book->student_count; s++) {
+    double sum = sum_of_totals(book, &scored);
+    for (size_t s = 0; s < book->student_count; s++)
         for (size_t e = 0; e < book->exercise_count; e++)
             counts[result_outcome(book->students[s].results[e])]++;
-        if (book->students[s].unscored == 0) {
-            sum += book->students[s].score;
-            scored++;
-        }
-    }
     char text[80];
     char points[32];
     char max_points[32];
     html_open(page, "div");
     html_attribute(page, "class", "facts-row");
     snprintf(text, sizeof text, "%zu", book->student_count);
-    write_number(page, text, (struct words){"students", "estudiantes"});
+    write_number(page, text,
+                 book->student_count == 1 ? (struct words){"student", "estudiante"}
+                                          : (struct words){"students", "estudiantes"});
     snprintf(text, sizeof text, "%zu", book->exercise_count);
-    write_number(page, text, (struct words){"exercises", "ejercicios"});
+    write_number(page, text,
+                 book->exercise_count == 1 ? (struct words){"exercise", "ejercicio"}
+                                           : (struct words){"exercises", "ejercicios"});
     if (scored > 0) {
         words_of_points(sum / (double)scored, points, sizeof points);
         words_of_points(book->max_score, max_points, sizeof max_points);
@@ -228,6 +241,23 @@ static void write_row(struct html *page, const struct gradebook *book,
     html_close(page, "tr");
 }
 
+/* A mean beside its maximum; "–" of none. */
+static void write_mean(struct html *page, double sum, size_t count, double max_score)
+{
+    char mean[32] = "–";
+    char most[32];
+    if (count > 0)
+        words_of_points(sum / (double)count, mean, sizeof mean);
+    words_of_points(max_score, most, sizeof most);
+    html_open(page, "td");
+    html_format(page, "%s ", mean);
+    html_open(page, "span");
+    html_attribute(page, "class", "quiet");
+    html_format(page, "/ %s", most);
+    html_close(page, "span");
+    html_close(page, "td");
+}
+
 /* The row of means: of the answers that were scored, missing ones left out. */
 static void write_means(struct html *page, const struct gradebook *book)
 {
@@ -248,25 +278,11 @@ static void write_means(struct html *page, const struct gradebook *book)
                 scored++;
             }
         }
-        char mean[32] = "–";
-        char max_score[32];
-        if (scored > 0)
-            words_of_points(sum / (double)scored, mean, sizeof mean);
-        words_of_points(book->exercises[e].max_score, max_score, sizeof max_score);
-        html_open(page, "td");
-        html_format(page, "%s ", mean);
-        html_open(page, "span");
-        html_attribute(page, "class", "quiet");
-        html_format(page, "/ %s", max_score);
-        html_close(page, "span");
-        html_close(page, "td");
+        write_mean(page, sum, scored, book->exercises[e].max_score);
     }
-    char max_score[32];
-    words_of_points(book->max_score, max_score, sizeof max_score);
-    html_open(page, "td");
-    html_attribute(page, "class", "quiet");
-    html_format(page, "/ %s", max_score);
-    html_close(page, "td");
+    size_t whole = 0;
+    double total = sum_of_totals(book, &whole);
+    write_mean(page, total, whole, book->max_score);
     html_close(page, "tr");
     html_close(page, "tfoot");
 }

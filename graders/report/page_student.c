@@ -2,6 +2,7 @@
  */
 #include "graders/report/page.h"
 
+#include "graders/plural.h"
 #include "graders/report/results.h"
 
 #include <string.h>
@@ -213,8 +214,10 @@ static void write_cases(struct html *page, const struct page_context *context, c
     html_attribute(page, "class", "more");
     html_open(page, "summary");
     html_format(page, "%zu ", more);
-    html_both(page, (struct words){"more rejected, for the same causes",
-                                   "más rechazados, por las mismas causas"});
+    html_both(page, more == 1 ? (struct words){"more rejected, for the same cause",
+                                               "más rechazado, por la misma causa"}
+                              : (struct words){"more rejected, for the same causes",
+                                               "más rechazados, por las mismas causas"});
     html_close(page, "summary");
     write_cases_that(false, page, context, result);
     html_close(page, "details");
@@ -252,8 +255,8 @@ static void write_files(struct html *page, const json_t *result)
         html_open(page, "code");
         html_json(page, json_object_get(file, "name"));
         html_close(page, "code");
-        html_format(page, " %lld bytes, SHA-256 ",
-                    json_integer_value(json_object_get(file, "bytes")));
+        long long bytes = json_integer_value(json_object_get(file, "bytes"));
+        html_format(page, " %lld byte%s, SHA-256 ", bytes, plural_ending(bytes));
         html_open(page, "code");
         html_json(page, json_object_get(file, "sha256"));
         html_close(page, "code");

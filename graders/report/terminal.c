@@ -65,8 +65,11 @@ static void put_where(FILE *to, const json_t *result, const struct terminal_styl
     const json_t *one = telling_case(result);
     const json_t *check = telling_check(result);
     char place[700];
+    char element[400];
     if (one)
-        snprintf(place, sizeof place, "%s%s%s %s (%s)", result_text(one, "element"),
+        snprintf(place, sizeof place, "%s%s%s %s (%s)",
+                 words_choose(words_element(result_text(one, "element"), element, sizeof element),
+                              style->spanish),
                  *result_text(one, "element") ? ", " : "", style->spanish ? "caso" : "case",
                  result_text(one, "name"),
                  words_choose(class_title(result, result_text(one, "class")), style->spanish));

@@ -18,7 +18,7 @@
     failed: { en: "The 3D view could not be shown here (no WebGL?).", es: "La vista 3D no se pudo mostrar aquí (¿sin WebGL?)." },
     label: {
       en: "3D view: drag or use the arrow keys to turn, + and - to zoom",
-      es: "Vista 3D: arrastre o use las flechas para girar, + y - para acercar"
+      es: "Vista 3D: arrastra o usa las flechas para girar, + y - para acercar"
     }
   };
   const scenes = {};

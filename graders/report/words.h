@@ -39,6 +39,15 @@ const char *words_symbol(enum outcome outcome);
 /* A slug as words: "duplicate-edge" becomes "duplicate edge". Writes at most `capacity` bytes. */
 void words_of_slug(const char *slug, char *text, size_t capacity);
 
+/* A cause for people: "duplicate edge", "arista duplicada" for "duplicate-edge"; a verdict's words
+ * for a verdict. The English words go to `text`, at most `capacity` bytes; causes that are not
+ * known stay English. */
+struct words words_cause(const char *slug, char *text, size_t capacity);
+
+/* An element of a case, "edge 3 (1,0)", "arista 3 (1,0)". The Spanish words go to `spanish`, at
+ * most `capacity` bytes; the English are `element` itself. */
+struct words words_element(const char *element, char *spanish, size_t capacity);
+
 /* Bytes in the course's units, where a KB is 1024 bytes: "3375 bytes", "64.5 KB", "970 KB". Writes
  * at most `capacity` bytes. */
 void words_of_bytes(double bytes, char *text, size_t capacity);

@@ -2,6 +2,8 @@
  * them, for tests/cli/pages.t, which looks at them in a browser. */
 #include "graders/report/report.h"
 
+#include "graders/report/results.h"
+
 #include "tests/unit/report_sample.h"
 
 #include <glob.h>
@@ -136,6 +138,32 @@ static void test_the_class_page_says_what_matters(void **state)
     sample_remove(out);
 }
 
+/* The sample's final totals: of all students but the two with answers that are not scored. */
+static void test_the_mean_of_totals_stands_below_them(void **state)
+{
+    (void)state;
+    char out[64];
+    char expected[80];
+    struct gradebook book;
+    double sum = 0;
+    int count = 0;
+    sample_copy(out);
+    assert_int_equal(gradebook_load(out, &book, NULL), 0);
+    for (size_t s = 0; s < book.student_count; s++) {
+        sum += book.students[s].unscored ? 0 : book.students[s].score;
+        count += !book.students[s].unscored;
+    }
+    char mean[32];
+    words_of_points(sum / count, mean, sizeof mean);
+    snprintf(expected, sizeof expected, "<td>%s <span class=\"quiet\">/ 30</span></td>", mean);
+    make_pages(out);
+    char *text = sample_read(out, "index.html");
+    assert_non_null(strstr(text, expected));
+    free(text);
+    gradebook_release(&book);
+    sample_remove(out);
+}
+
 static void test_what_was_not_run_is_said_with_its_reason(void **state)
 {
     (void)state;
@@ -246,6 +274,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_what_pages_name_is_there),
         cmocka_unit_test(test_making_pages_again_changes_nothing),
         cmocka_unit_test(test_the_class_page_says_what_matters),
+        cmocka_unit_test(test_the_mean_of_totals_stands_below_them),
         cmocka_unit_test(test_what_was_not_run_is_said_with_its_reason),
         cmocka_unit_test(test_what_was_not_measured_is_listed),
         cmocka_unit_test(test_the_reason_for_missing_pictures_is_on_the_pages),

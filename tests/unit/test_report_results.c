@@ -235,6 +235,23 @@ static void test_a_hint_is_told_only_of_those_who_got_it(void **state)
     json_decref(all);
 }
 
+static void test_causes_and_elements_are_in_both_languages(void **state)
+{
+    (void)state;
+    char text[80];
+    assert_string_equal(words_cause("fence-post", text, sizeof text).en, "fence post");
+    assert_string_equal(words_cause("byte-a-cell", text, sizeof text).es, "un byte por celda");
+    assert_string_equal(words_cause("abort", text, sizeof text).es, "abort o assert");
+    assert_string_equal(words_cause("wrong-ratio", text, sizeof text).es, "cociente incorrecto");
+    assert_string_equal(words_cause("leak", text, sizeof text).es, "fuga de memoria");
+    assert_string_equal(words_cause("no-such-cause", text, sizeof text).es, "no such cause");
+    assert_string_equal(words_element("edge {0,2}", text, sizeof text).es, "arista {0,2}");
+    assert_string_equal(words_element("strip 0, vertex 6 (1, 2)", text, sizeof text).es,
+                        "tira 0, vértice 6 (1, 2)");
+    assert_string_equal(words_element("mesh_edge_bytes", text, sizeof text).es, "mesh_edge_bytes");
+    assert_string_equal(words_element("edge edge edge", text, 10).es, "arista ar");
+}
+
 static void assert_bytes(double bytes, const char *expected)
 {
     char text[40];
@@ -263,6 +280,7 @@ int main(void)
         cmocka_unit_test(test_different_maximum_scores_are_refused),
         cmocka_unit_test(test_cases_that_were_not_run_are_no_failures),
         cmocka_unit_test(test_a_hint_is_told_only_of_those_who_got_it),
+        cmocka_unit_test(test_causes_and_elements_are_in_both_languages),
         cmocka_unit_test(test_bytes_have_the_units_of_the_course),
         cmocka_unit_test(test_writing_is_atomic_and_only_when_needed),
         cmocka_unit_test(test_safe_names),

@@ -70,7 +70,7 @@ static void test_three_lines_say_what_where_and_how(void **state)
     free(text);
 
     text = print(result, (struct terminal_style){.spanish = true});
-    assert_non_null(strstr(text, "  dónde   edge 41 (0,17), caso disc (Mallas abiertas)\n"));
+    assert_non_null(strstr(text, "  dónde   arista 41 (0,17), caso disc (Mallas abiertas)\n"));
     assert_non_null(strstr(text, "Otros casos rechazados\n"));
     free(text);
     json_decref(result);
