@@ -57,14 +57,16 @@ struct job {
 struct plan {
     struct job *jobs;
     int job_count;
+    int blocks_at_once; /* of a job before the next one begins: 1 gives a little of everything
+                           first, all of them finishes what was begun */
 };
 
 struct plan_wish {
     unsigned what; /* enum bench_what bits */
-    bool quick, peers;
+    bool quick, thorough, peers;
     const char *mesh;         /* only this one, by name; NULL: the usual ones */
     const char *subject;      /* only contenders whose name has this in it, and the baseline */
-    int blocks;               /* 0: as planned */
+    int blocks;               /* 0: as planned: 6, thorough 12 */
     const char *program;      /* that serves our workers */
     const char *peers_folder; /* where peers' programs stand */
 };

@@ -149,11 +149,26 @@ static bool is_done(const struct journal *journal, const struct job *job, int bl
     return journal_find(journal, job->name, block) != NULL;
 }
 
-/* What the next block will take: what the last one took. */
-static double expected_seconds(const struct journal *journal, const struct job *job, int block)
+static double seconds_of(const struct journal *journal, const struct job *job, int block)
 {
-    const json_t *before = block > 0 ? journal_find(journal, job->name, block - 1) : NULL;
-    return json_real_value(json_object_get(before, "seconds"));
+    return json_real_value(json_object_get(journal_find(journal, job->name, block), "seconds"));
+}
+
+/* What the next block will take: what the last one took; the first one, as long for each triangle
+ * as the slowest of its kind so far. */
+static double expected_seconds(const struct run_wish *wish, const struct journal *journal,
+                               const struct job *job, int block)
+{
+    double most = 0;
+    if (block > 0)
+        return seconds_of(journal, job, block - 1);
+    for (int i = 0; i < wish->plan->job_count; i++) {
+        const struct job *other = &wish->plan->jobs[i];
+        double rate = seconds_of(journal, other, 0) / (double)other->mesh.triangles;
+        if (other->what == job->what && rate > most)
+            most = rate;
+    }
+    return most * (double)job->mesh.triangles;
 }
 
 static void tell(const struct run_wish *wish, const struct journal *journal, const struct job *job)
@@ -174,17 +189,25 @@ static bool is_over(const struct run_wish *wish, int64_t start, double expected)
     return (wish->stop && *wish->stop) || elapsed + expected > wish->seconds;
 }
 
-/* One block of each job that lacks the `number`-th. */
-static int go_round(const struct run_wish *wish, int number, int64_t start,
-                    struct core_watch *watch, struct journal *journal, struct error *err)
+/* A run under way. */
+struct going {
+    const struct run_wish *wish;
+    struct journal *journal;
+    struct core_watch watch;
+    int64_t start;
+};
+
+/* Blocks first ... end - 1 of a job, as far as it has them, lacks them, and there is time. */
+static int go_blocks(struct going *going, const struct job *job, int first, int end,
+                     struct error *err)
 {
-    for (int i = 0; i < wish->plan->job_count; i++) {
-        const struct job *job = &wish->plan->jobs[i];
-        if (number >= job->blocks || is_done(journal, job, number) ||
-            is_over(wish, start, expected_seconds(journal, job, number)))
+    for (int number = first; number < end && number < job->blocks; number++) {
+        if (is_done(going->journal, job, number) ||
+            is_over(going->wish, going->start,
+                    expected_seconds(going->wish, going->journal, job, number)))
             continue;
-        tell(wish, journal, job);
-        if (do_block(wish, job, number, watch, journal, err) != 0)
+        tell(going->wish, going->journal, job);
+        if (do_block(going->wish, job, number, &going->watch, going->journal, err) != 0)
             return -1;
     }
     return 0;
@@ -193,20 +216,21 @@ static int go_round(const struct run_wish *wish, int number, int64_t start,
 int run_plan(const struct run_wish *wish, struct journal *journal, struct error *err)
 {
     char meshes[PATH_MAX];
-    struct core_watch watch = {.samples = 0};
-    int64_t start = wall_ns();
+    struct going going = {.wish = wish, .journal = journal, .start = wall_ns()};
+    const struct plan *plan = wish->plan;
     int most_blocks = 0;
     snprintf(meshes, sizeof meshes, "%s/meshes", wish->folder);
     if (make_folder(meshes, err) != 0)
         return -1;
-    core_watch_begin(&watch);
-    for (int i = 0; i < wish->plan->job_count; i++)
-        if (wish->plan->jobs[i].blocks > most_blocks)
-            most_blocks = wish->plan->jobs[i].blocks;
-    for (int number = 0; number < most_blocks; number++) {
-        if (go_round(wish, number, start, &watch, journal, err) != 0)
-            return -1;
-        if (number == 0 && wish->counts && count_plan(wish, journal, err) != 0)
+    core_watch_begin(&going.watch);
+    for (int i = 0; i < plan->job_count; i++)
+        if (plan->jobs[i].blocks > most_blocks)
+            most_blocks = plan->jobs[i].blocks;
+    for (int first = 0; first < most_blocks; first += plan->blocks_at_once) {
+        for (int i = 0; i < plan->job_count; i++)
+            if (go_blocks(&going, &plan->jobs[i], first, first + plan->blocks_at_once, err) != 0)
+                return -1;
+        if (first == 0 && wish->counts && count_plan(wish, journal, err) != 0)
             return -1;
     }
     tell(wish, journal, NULL);

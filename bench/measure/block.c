@@ -10,7 +10,7 @@
 
 enum { RETRIES = 3 };
 static const double SLOWED = 0.90;
-static const double LONG_NS = 3e8; /* one sample of so long a call is enough */
+static const double ENOUGH_NS = 1.5e8; /* after so much measured time nothing is tried again */
 
 static int by_speed(const void *left, const void *right)
 {
@@ -129,12 +129,14 @@ static void ask(struct block *block, int program, struct block_measure *measure,
     }
 }
 
-/* One sample, tried again while a neighbour slows the core. */
+/* One sample, tried again while a neighbour slows the core, and while that is cheap: what matters
+ * is to have many blocks, not many samples in each. */
 static void take_sample(struct block *block, int program, struct block_measure *measure, bool cold)
 {
     struct block_time *least = cold ? &measure->cold : &measure->warm;
     double slow_least = 0;
-    for (int i = 0; i <= RETRIES && !measure->error[0]; i++) {
+    double *spent_ns = cold ? &measure->cold_spent_ns : &measure->warm_spent_ns;
+    for (int i = 0; i <= RETRIES && (i == 0 || *spent_ns < ENOUGH_NS); i++) {
         double ns, before, after;
         int calls;
         ask(block, program, measure, cold ? "cold" : "warm", measure->error);
@@ -146,6 +148,7 @@ static void take_sample(struct block *block, int program, struct block_measure *
             return;
         }
         measure->samples++;
+        *spent_ns += ns * calls;
         if (ns <= 0)
             ns = 0.01; /* below the clock's resolution */
         if (core_watch_accepts(block->watch, before, after)) {
@@ -169,8 +172,9 @@ static void measure_operation(struct block *block, const char *operation)
             int program = (round + plan->number) % 2 ? plan->program_count - 1 - i : i;
             struct block_measure *measure = measure_of(&block->results[program], operation);
             bool cold = round >= plan->rounds;
-            bool enough = measure && (cold ? measure->cold.ns : measure->warm.ns) > LONG_NS;
-            if (measure && !measure->error[0] && !enough)
+            if (!measure || measure->error[0])
+                continue;
+            if ((cold ? measure->cold_spent_ns : measure->warm_spent_ns) < ENOUGH_NS)
                 take_sample(block, program, measure, cold);
         }
 }
@@ -204,7 +208,8 @@ static void measure_all(struct block *block)
             if (!is_done)
                 measure_operation(block, measure->operation);
         }
-    for (int program = 0; program < block->plan->program_count; program++)
+    for (int program = 0; program < block->plan->program_count && block->plan->number == 0;
+         program++)
         for (int i = 0; i < block->results[program].measure_count; i++) {
             struct block_measure *measure = &block->results[program].measures[i];
             if (!measure->error[0])

@@ -44,8 +44,9 @@ struct block_measure {
     char operation[40];
     struct block_time warm, cold;
     int samples, dropped;
-    struct worker_answer answer;
-    char error[BLOCK_TEXT]; /* why there is no time; "" when there is */
+    double warm_spent_ns, cold_spent_ns; /* in samples, those that were dropped too */
+    struct worker_answer answer;         /* of block 0: it is told there, and nowhere else */
+    char error[BLOCK_TEXT];              /* why there is no time; "" when there is */
 };
 
 struct block_result {

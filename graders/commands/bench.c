@@ -18,11 +18,11 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { QUICK_SECONDS = 40, FULL_MINUTES = 28, COPY_SIZES = 4 };
+enum { QUICK_SECONDS = 40, FULL_MINUTES = 28, THOROUGH_MINUTES = 24 * 60, COPY_SIZES = 4 };
 
 struct settings {
     unsigned what;
-    bool quick, peers, json, csv, counts, again;
+    bool quick, thorough, peers, json, csv, counts;
     const char *output, *mesh, *subject, *blocks, *minutes, *page;
     char folder[PATH_MAX], program[PATH_MAX], peers_folder[PATH_MAX], models[PATH_MAX];
 };
@@ -219,7 +219,9 @@ static int run_and_publish(const struct settings *settings, const struct plan *p
                            struct error *err)
 {
     struct copy_bandwidth copies[COPY_SIZES];
-    double minutes = settings->minutes ? strtod(settings->minutes, NULL) : FULL_MINUTES;
+    double minutes = settings->minutes    ? strtod(settings->minutes, NULL)
+                     : settings->thorough ? THOROUGH_MINUTES
+                                          : FULL_MINUTES;
     struct run_wish wish = {.plan = plan,
                             .folder = settings->folder,
                             .models = settings->models,
@@ -234,7 +236,9 @@ static int run_and_publish(const struct settings *settings, const struct plan *p
         collect_claims(settings, &claims, err) != 0)
         return -1;
     struct document_facts facts = {.version = meshgrade_version(),
-                                   .mode = settings->quick ? "quick" : "full",
+                                   .mode = settings->quick      ? "quick"
+                                           : settings->thorough ? "thorough"
+                                                                : "full",
                                    .machine = machine,
                                    .copy = copies,
                                    .copy_count = copy_count,
@@ -250,6 +254,7 @@ static int bench(const struct settings *settings, struct error *err)
     char fingerprint[256];
     struct plan_wish wish = {.what = settings->what,
                              .quick = settings->quick,
+                             .thorough = settings->thorough,
                              .peers = settings->peers,
                              .mesh = settings->mesh,
                              .subject = settings->subject,
@@ -291,6 +296,10 @@ static bool settings_are_good(const struct settings *settings)
         report_fault(&err);
         return false;
     }
+    if (settings->quick && settings->thorough) {
+        fprintf(stderr, "meshgrade: bench is either --quick or --thorough\n");
+        return false;
+    }
     return options_number("blocks", settings->blocks, 1, 1) > 0 &&
            options_number("minutes", settings->minutes, 1, 1) > 0;
 }
@@ -301,6 +310,7 @@ static int run_bench(int argc, char **argv)
     struct error err = {""};
     const struct option_rule rules[] = {
         {"quick", 'q', NULL, "few meshes, under a minute", NULL, &settings.quick},
+        {"thorough", 0, NULL, "every mesh, 12 blocks, until done: hours", NULL, &settings.thorough},
         {"peers", 0, NULL, "also other libraries (after make peers)", NULL, &settings.peers},
         {"counts", 0, NULL, "also instructions, misses, allocations", NULL, &settings.counts},
         {"output", 'o', "DIR", "results and journal (build/bench)", &settings.output, NULL},
@@ -308,7 +318,7 @@ static int run_bench(int argc, char **argv)
         {"csv", 0, NULL, "print CSV", NULL, &settings.csv},
         {"mesh", 0, "NAME", "only this mesh, as torus-100k-scrambled", &settings.mesh, NULL},
         {"subject", 0, "TEXT", "only what has TEXT in its name", &settings.subject, NULL},
-        {"blocks", 0, "N", "fresh processes of each (6 to 12)", &settings.blocks, NULL},
+        {"blocks", 0, "N", "fresh processes of each (6)", &settings.blocks, NULL},
         {"page", 0, "DIR", "only write DIR's page again, measure nothing", &settings.page, NULL},
         {"minutes", 0, "N", "begin nothing after that (28)", &settings.minutes, NULL},
         {0}};

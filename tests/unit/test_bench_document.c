@@ -16,7 +16,7 @@
 /* Two variants and a peer on a mesh of 1000 triangles; the j-th of 6 blocks takes 10 + j us plain,
  * half of that as avx2, ten times as the peer. */
 static struct job job;
-static struct plan plan = {&job, 1};
+static struct plan plan = {.jobs = &job, .job_count = 1};
 static struct journal journal;
 static const struct copy_bandwidth copy = {1000000, "memcpy", 10};
 
