@@ -75,6 +75,7 @@ static double get_number(struct place *place, const json_t *object, const char *
         char expected[80];
         snprintf(expected, sizeof expected, "a number from %g to %g", low, high);
         complain(place, key, expected);
+        return low; /* callers convert it before they look whether anything failed */
     }
     return number;
 }
