@@ -50,9 +50,10 @@ static struct surroundings look_around(const struct mesh_view *view, const struc
 
 /* -------------------------------------------------------------------------------- missing edges */
 
+/* Of an edge that the last of several triangles is the first to have. */
 static bool in_last_triangle(const struct edge *e, const struct surroundings *s)
 {
-    return e->triangle == s->view->triangle_count - 1;
+    return s->view->triangle_count > 1 && e->triangle == s->view->triangle_count - 1;
 }
 
 static bool at_last_vertex(const struct edge *e, const struct surroundings *s)
@@ -123,7 +124,7 @@ struct pattern {
 
 static const struct pattern missing_patterns[] = {
     {in_last_triangle,
-     false,
+     true,
      {" Only edges of the last triangle are lost: does the loop stop one too early?",
       " Solo se pierden aristas del último triángulo: ¿acaba el bucle uno antes de tiempo?"}},
     {at_last_vertex,

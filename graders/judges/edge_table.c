@@ -163,6 +163,46 @@ static void reject_missing(const struct mesh_view *view, const struct edge_set *
 
 /* ------------------------------------------------------------------------------------ the scene */
 
+/* Marks an edge of the mesh that is not listed just once. */
+static void mark_edge(struct scene *scene, const struct edge *edge)
+{
+    scene_mark_edge(scene, edge->listed_count == 0 ? MARK_MISSING : MARK_DUPLICATE, edge->low,
+                    edge->high);
+}
+
+/* Marks an entry of the answer that is no edge of the mesh. */
+static void mark_entry(const struct mesh_view *view, const struct edge_set *set,
+                       const struct findings *f, int64_t entry, struct scene *scene)
+{
+    int32_t a = f->entries[2 * entry], b = f->entries[2 * entry + 1];
+    if (!in_range(a, view) || !in_range(b, view))
+        return;
+    if (a == b)
+        scene_mark_edge(scene, MARK_DEGENERATE, a, b);
+    else if (!edge_set_find(set, a, b))
+        scene_mark_edge(scene, MARK_EXTRA, a, b);
+}
+
+/* What the verdict names: an edge of the mesh, or an entry of the answer, or neither (NULL, -1). */
+struct named {
+    const struct edge *edge;
+    int64_t entry;
+};
+
+/* The faults in the order in which judge_entries looks for them. */
+static struct named named_of(const struct edge_set *set, const struct findings *f)
+{
+    if (f->out_of_range_count)
+        return (struct named){NULL, -1};
+    if (f->self_count)
+        return (struct named){NULL, f->self};
+    if (f->repeated_count) {
+        const int32_t *entry = f->entries + 2 * f->repeated;
+        return (struct named){edge_set_find(set, entry[0], entry[1]), -1};
+    }
+    return (struct named){f->extra_count ? NULL : f->missing, f->extra_count ? f->extra : -1};
+}
+
 static int show(const struct mesh_view *view, const struct edge_set *set, const struct findings *f,
                 struct judgement *out, struct error *err)
 {
@@ -170,24 +210,21 @@ static int show(const struct mesh_view *view, const struct edge_set *set, const 
     if (mesh_case_show(view, scene, err))
         return -1;
     scene->ok_count = 0;
+    struct named named = named_of(set, f);
+    if (named.edge)
+        mark_edge(scene, named.edge);
+    if (named.entry >= 0)
+        mark_entry(view, set, f, named.entry, scene);
     for (int64_t e = 0; e < set->count; e++) {
         const struct edge *edge = &set->edges[e];
-        if (edge->listed_count == 0)
-            scene_mark_edge(scene, MARK_MISSING, edge->low, edge->high);
-        else if (edge->listed_count > 1)
-            scene_mark_edge(scene, MARK_DUPLICATE, edge->low, edge->high);
-        else
+        if (edge->listed_count == 1)
             scene->ok_count++;
+        else if (edge != named.edge)
+            mark_edge(scene, edge);
     }
-    for (int64_t entry = 0; entry < f->entry_count; entry++) {
-        int32_t a = f->entries[2 * entry], b = f->entries[2 * entry + 1];
-        if (!in_range(a, view) || !in_range(b, view))
-            continue;
-        if (a == b)
-            scene_mark_edge(scene, MARK_DEGENERATE, a, b);
-        else if (!edge_set_find(set, a, b))
-            scene_mark_edge(scene, MARK_EXTRA, a, b);
-    }
+    for (int64_t entry = 0; entry < f->entry_count; entry++)
+        if (entry != named.entry)
+            mark_entry(view, set, f, entry, scene);
     for (int64_t e = 0; e < set->count; e++)
         if (set->edges[e].side_count == 1)
             scene_mark_edge(scene, MARK_BOUNDARY, set->edges[e].low, set->edges[e].high);

@@ -37,6 +37,7 @@ struct mark {
     enum mark_kind kind;
     enum element_kind element;
     int32_t vertex[3]; /* indices into the scene's mesh: one, two or three are used */
+    int64_t ordinal;   /* marks of its kind before it */
 };
 
 struct strip {
@@ -60,6 +61,7 @@ struct scene {
     struct mark *marks; /* at most SCENE_MARK_LIMIT are kept; mark_count[] counts all */
     int kept_mark_count;
     int64_t mark_count[MARK_WRONG + 1];
+    uint32_t sampling[MARK_WRONG + 1]; /* of a kind one in 2^sampling is kept */
     int64_t ok_count; /* elements that are right, for the legend; 0 or less: not said */
     struct strip *strips;
     int strip_count;
@@ -85,7 +87,10 @@ int scene_set_voxels(struct scene *scene, const uint8_t *bits, int32_t voxels_pe
 int scene_add_curve(struct scene *scene, const char *name, const double *x, const double *y,
                     int point_count, double exponent, struct error *err);
 /* Marks may come before or after the mesh; those that name no vertex of it are counted, not kept.
- */
+ *
+ * The first mark of a scene is what the verdict names: pictures magnify it and turn it to the eye.
+ * When there are more marks than are kept, those of the most frequent kind are thinned out, evenly
+ * over the order in which they come and always in the same way; the first of each kind stays. */
 void scene_mark_vertex(struct scene *scene, enum mark_kind kind, int32_t vertex);
 void scene_mark_edge(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b);
 void scene_mark_triangle(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b, int32_t c);

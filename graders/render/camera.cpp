@@ -108,16 +108,20 @@ double share_facing(const std::vector<place> &surface, const view &look)
 view best_view(const std::vector<place> &surface, const std::vector<place> &marked)
 {
     const double usual_azimuth = -55, usual_elevation = 22;
-    const double usual_bonus = .12, cost_a_degree = .004;
+    const double usual_bonus = .12, cost_a_degree = .004, cost_from_below = .15, seen_worth = 1.3;
     view best;
     double best_score = -1e9;
-    for (double elevation : {usual_elevation, 38.0, 54.0})
+    for (double elevation : {usual_elevation, 38.0, 54.0, -usual_elevation, -48.0})
         for (int step = 0; step < 12; step++) {
+            if (elevation < 0 && marked.empty())
+                continue;
             view candidate(usual_azimuth + 30 * step, elevation);
             bool usual = step == 0 && elevation == usual_elevation;
             double score = share_facing(surface, candidate) +
-                           share_seen(surface, marked, candidate) + (usual ? usual_bonus : 0) -
-                           (elevation - usual_elevation) * cost_a_degree;
+                           seen_worth * share_seen(surface, marked, candidate) +
+                           (usual ? usual_bonus : 0) -
+                           (std::fabs(elevation) - usual_elevation) * cost_a_degree -
+                           (elevation < 0 ? cost_from_below : 0);
             if (score > best_score + 1e-9) {
                 best_score = score;
                 best = candidate;

@@ -46,7 +46,7 @@ class depth_grid
 
 /* The view, of a few dozen, from which the surface shows most of its outer side and most of the
  * marked places are seen and not hidden by the surface; the usual one when they do not differ much.
- */
+ * From below only when places are marked that are not seen from above. */
 view best_view(const std::vector<place> &surface, const std::vector<place> &marked);
 
 /* Whether some triangle turns its back to the eye. */

@@ -26,17 +26,19 @@ static view look_at_mark(const view &look, vec3 normal)
     return view(azimuth + 12, std::clamp(elevation + 12, -70.0, 75.0));
 }
 
-std::optional<close_up> choose_close_up(const scene &from, const shape &mesh, const view &look)
+std::optional<close_up> choose_close_up(const scene &from, const shape &mesh, const view &look,
+                                        const depth_grid &depths)
 {
     const double small = .05; /* of the mesh's diagonal */
     for (const mark &one : from.marks) {
         if (one.kind == boundary)
             continue;
         double reach = std::max(mark_reach(mesh, one), 1.2 * mesh.spacing);
-        if (reach > small || mesh.triangles.empty())
+        vec3 middle = mark_middle(mesh.points, one), normal = mark_normal(mesh, one);
+        bool hidden = depths.hides(middle) || dot(normal, look.toward) < 0;
+        if ((reach > small && !hidden) || mesh.triangles.empty())
             return std::nullopt;
-        return close_up{one, mark_middle(mesh.points, one),
-                        look_at_mark(look, mark_normal(mesh, one)), 2.4 * reach};
+        return close_up{one, middle, look_at_mark(look, normal), 2.4 * reach};
     }
     return std::nullopt;
 }

@@ -19,8 +19,10 @@ struct close_up {
     double half_width; /* of what is shown, in the world */
 };
 
-/* None when nothing is marked or the first element at fault is big enough in the picture itself. */
-std::optional<close_up> choose_close_up(const scene &from, const shape &mesh, const view &look);
+/* None when nothing is marked or the first element at fault is seen and big enough in the picture
+ * itself. */
+std::optional<close_up> choose_close_up(const scene &from, const shape &mesh, const view &look,
+                                        const depth_grid &depths);
 
 void add_close_up(canvas &target, const close_up &inset, const scene &from, const shape &mesh,
                   const framing &frame);

@@ -2,6 +2,7 @@
 #include "graders/render/marks.hpp"
 #include "graders/render/text.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace
@@ -140,6 +141,20 @@ vec3 mark_middle(const std::vector<vec3> &points, const mark &one)
     return sum * (1.0 / one.vertex_count());
 }
 
+std::vector<place> places_of_marks(const shape &mesh, const std::vector<mark> &marks)
+{
+    std::vector<place> places;
+    double sum = 0;
+    for (const mark &one : marks) {
+        places.push_back(
+            {mark_middle(mesh.points, one), mark_normal(mesh, one), one.kind == boundary ? .1 : 1});
+        sum += places.back().weight;
+    }
+    if (!places.empty() && marks[0].kind != boundary)
+        places[0].weight += sum / 3;
+    return places;
+}
+
 static void draw_edge_swatch(paper &sheet, point2 at, double width, mark_kind kind)
 {
     const double unit = 2.3;
@@ -179,6 +194,17 @@ static element usual_element(const scene &from, mark_kind kind)
     return counts[0] > counts[1] ? element::at_vertex : element::at_edge;
 }
 
+/* How many of a kind there are, and how many of them are drawn when not all. */
+static std::string mark_count(const scene &from, mark_kind kind)
+{
+    auto drawn = std::count_if(from.marks.begin(), from.marks.end(),
+                               [kind](const mark &one) { return one.kind == kind; });
+    int64_t all = from.mark_counts[kind];
+    if (drawn >= all)
+        return grouped(all);
+    return (drawn == 0 ? "none" : grouped(drawn)) + " of " + grouped(all) + " drawn";
+}
+
 legend_entry patch_entry(const std::string &name, colour paint)
 {
     return {name, "",
@@ -208,7 +234,7 @@ std::vector<legend_entry> mark_legend(const scene &from)
         mark_kind kind = mark_kind(k);
         element what = usual_element(from, kind);
         if (from.mark_counts[k] > 0)
-            entries.push_back({mark_names[k], grouped(from.mark_counts[k]),
+            entries.push_back({mark_names[k], mark_count(from, kind),
                                [kind, what](paper &sheet, point2 at, double width) {
                                    if (what == element::at_triangle)
                                        draw_triangle_swatch(sheet, at, kind);

@@ -13,15 +13,6 @@ namespace
 {
 const size_t labelled_vertices_limit = 36, isolated_limit = 4000;
 
-std::vector<place> marked_places(const shape &mesh, const std::vector<mark> &marks)
-{
-    std::vector<place> out;
-    for (const mark &one : marks)
-        out.push_back(
-            {mark_middle(mesh.points, one), mark_normal(mesh, one), one.kind == boundary ? .1 : 1});
-    return out;
-}
-
 void add_wire(canvas &target, const shape &mesh, double units)
 {
     double opacity = wire_opacity(mesh.spacing * units);
@@ -90,15 +81,17 @@ image draw_mesh(const scene &from, picture_size size)
     shape mesh(unit_box(from.mesh.points).apply(from.mesh.points), from.mesh.triangles);
     canvas target(size.width, size.height, backdrop::gradient);
     std::vector<place> surface = sample_surface(mesh.points, mesh.triangles);
-    view look = best_view(surface, marked_places(mesh, from.marks));
+    view look = best_view(surface, places_of_marks(mesh, from.marks));
+    depth_grid depths(surface, look);
     std::vector<legend_entry> legend = legend_of(from, mesh, look);
-    std::optional<close_up> inset = choose_close_up(from, mesh, look);
+    std::optional<close_up> inset = choose_close_up(from, mesh, look, depths);
     margins free = {48, inset ? close_up_side + 56.0 : 48, 92, legend.size() > 5 ? 100.0 : 76.0};
     vtkCamera *camera = target.world()->GetActiveCamera();
     framing frame(camera, mesh.points, look, target.paper_width(), free);
     double radius = mark_radius(mesh, frame.units_at_middle());
 
-    target.world()->AddActor(shadow_actor(mesh.points, mesh.triangles));
+    if (look.toward.z > 0) /* from below the ground would lie before the mesh */
+        target.world()->AddActor(shadow_actor(mesh.points, mesh.triangles));
     target.world()->AddActor(surface_actor(mesh.points, mesh.triangles, palette::surface));
     add_wire(target, mesh, frame.units_at_middle());
     add_isolated(target, mesh, radius);
@@ -107,7 +100,7 @@ image draw_mesh(const scene &from, picture_size size)
     if (inset)
         add_close_up(target, *inset, from, mesh, frame);
     if (!from.cut)
-        label_vertices(target, mesh, depth_grid(surface, look), frame);
+        label_vertices(target, mesh, depths, frame);
     target.on_paper([&](paper &sheet) {
         draw_title(sheet, from.title, subtitle_of(from));
         draw_legend(sheet, legend);

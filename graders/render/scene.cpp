@@ -14,7 +14,7 @@ const char *const mark_names[mark_kind_count] = {"missing",  "duplicate", "extra
 namespace
 {
 const int64_t vertex_limit = 2000000, triangle_limit = 1000000, strip_limit = 100000;
-const int64_t mark_limit = 1000, curve_limit = 12, voxel_side_limit = 256;
+const int64_t mark_limit = 4000, curve_limit = 12, voxel_side_limit = 256;
 const uintmax_t file_bytes_limit = 256u << 20;
 const double exponent_limit = 100;
 

@@ -85,6 +85,20 @@ static bool oracle_accepts(const struct trial *t, const struct answer *answer)
 
 /* -------------------------------------------------------------------------------------- answers */
 
+/* The first mark of a scene is the edge that the verdict names, unless it has ends out of range. */
+static void check_first_mark(const struct judgement *judgement)
+{
+    int32_t a, b;
+    long long entry;
+    bool known = sscanf(judgement->element, "edge {%d,%d}", &a, &b) == 2 ||
+                 sscanf(judgement->element, "edge %lld (%d,%d)", &entry, &a, &b) == 3;
+    if (!known || strcmp(judgement->cause, "index-out-of-range") == 0)
+        return;
+    assert_true(judgement->scene.kept_mark_count > 0);
+    const int32_t *ends = judgement->scene.marks[0].vertex;
+    assert_true((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a));
+}
+
 /* The bytes are copied to memory of just that size, so that a sanitizer sees a read beyond. */
 static bool judge_bytes(const struct judge *judge, const struct writer *input, const void *bytes,
                         size_t count, struct judgement *judgement)
@@ -102,6 +116,7 @@ static bool judge_bytes(const struct judge *judge, const struct writer *input, c
         assert_true(judgement->cause[0] && judgement->message[0] && judgement->message_es[0]);
         assert_true(strlen(judgement->message) + 1 < sizeof judgement->message);
         assert_true(strlen(judgement->message_es) + 1 < sizeof judgement->message_es);
+        check_first_mark(judgement);
     }
     json_t *scene = scene_to_json(&judgement->scene);
     assert_non_null(scene);
@@ -295,6 +310,29 @@ static void an_empty_table_of_boundary_edges_is_explained(void **state)
     writer_release(&input);
 }
 
+/* A missing edge tells of the last triangle only when it has a triangle to stand beside. */
+static void an_edge_of_the_only_triangle_says_nothing_of_the_last(void **state)
+{
+    (void)state;
+    struct judge_case one = {.name = "one", .parameter = {SHAPE_ONE_TRIANGLE}};
+    struct writer input = writer_growing(), packet = writer_growing();
+    struct judgement judgement;
+    const int32_t two[] = {0, 1, 1, 2};
+    assert_int_equal(mesh_case_write_input(&one, NULL, &input, NULL), 0);
+    write_table(&packet, two, 2, 2 * sizeof *two);
+    assert_false(
+        judge_bytes(&judge_edge_table_any, &input, packet.bytes, packet.count, &judgement));
+    assert_non_null(strstr(judgement.message, "edge {0,2} of triangle 0 is missing"));
+    assert_null(strstr(judgement.message, "last triangle"));
+    writer_release(&packet);
+    writer_release(&input);
+    /* Edge {3,4} alone, of the fan's last triangle; its other edge, {0,4}, is there. */
+    struct answer boundary = {{0, 1, 0, 2, 1, 2, 0, 3, 2, 3, 0, 4}, 6};
+    check_cause(&boundary, "missing-edge", "edge {3,4}", "of 7 edges. Boundary edges are lost");
+    struct answer last = {{0, 1, 0, 2, 1, 2, 0, 3, 2, 3}, 5};
+    check_cause(&last, "missing-edge", "edge {0,4}", "Only edges of the last triangle are lost");
+}
+
 static void wild_counts_are_claims(void **state)
 {
     (void)state;
@@ -344,6 +382,7 @@ int main(void)
         cmocka_unit_test(any_bytes_are_survived),
         cmocka_unit_test(the_first_element_at_fault_is_named),
         cmocka_unit_test(an_empty_table_of_boundary_edges_is_explained),
+        cmocka_unit_test(an_edge_of_the_only_triangle_says_nothing_of_the_last),
         cmocka_unit_test(wild_counts_are_claims),
         cmocka_unit_test(inputs_are_valid_and_repeat),
         cmocka_unit_test(any_tells_submissions_apart),

@@ -125,18 +125,18 @@ static void marks_are_all_counted_and_some_kept(void **state)
     (void)state;
     struct scene scene = {.ok_count = 3};
     set_square(&scene);
-    for (int i = 0; i < SCENE_MARK_LIMIT + 50; i++)
+    for (int i = 0; i < SCENE_MARK_LIMIT - 1; i++)
         scene_mark_edge(&scene, MARK_MISSING, i % 4, (i + 1) % 4);
     scene_mark_vertex(&scene, MARK_EXTRA, -1);
     scene_mark_triangle(&scene, MARK_FLIPPED, 0, 1, 99);
     assert_int_equal(scene.kept_mark_count, SCENE_MARK_LIMIT);
     json_t *json = scene_to_json(&scene);
     json_t *counts = json_object_get(json, "mark_counts");
-    assert_int_equal(json_integer_value(json_object_get(counts, "missing")), SCENE_MARK_LIMIT + 50);
+    assert_int_equal(json_integer_value(json_object_get(counts, "missing")), SCENE_MARK_LIMIT - 1);
     assert_int_equal(json_integer_value(json_object_get(counts, "extra")), 1);
     assert_int_equal(json_integer_value(json_object_get(counts, "flipped")), 1);
     assert_null(json_object_get(counts, "wrong"));
-    assert_int_equal(json_array_size(json_object_get(json, "marks")), SCENE_MARK_LIMIT);
+    assert_int_equal(json_array_size(json_object_get(json, "marks")), SCENE_MARK_LIMIT - 1);
     assert_int_equal(json_integer_value(json_object_get(json, "ok_count")), 3);
     json_t *mark = json_array_get(json_object_get(json, "marks"), 3);
     assert_string_equal(text_of(mark, "kind"), "missing");
@@ -144,6 +144,34 @@ static void marks_are_all_counted_and_some_kept(void **state)
     assert_int_equal(json_array_size(json_object_get(mark, "vertex")), 2);
     assert_int_equal(json_integer_value(json_array_get(json_object_get(mark, "vertex"), 0)), 3);
     json_decref(json);
+    scene_release(&scene);
+}
+
+/* What is kept of many marks lies all over them; the first and the rare ones stay. */
+static void many_marks_are_thinned_out_evenly(void **state)
+{
+    (void)state;
+    enum { COUNT = 68400, PARTS = 10 };
+    struct scene scene = {0};
+    scene_mark_edge(&scene, MARK_DUPLICATE, 7, 8);
+    for (int32_t i = 0; i < COUNT; i++)
+        scene_mark_triangle(&scene, MARK_FLIPPED, i, i + 1, i + 2);
+    for (int32_t i = 0; i < COUNT; i++)
+        scene_mark_edge(&scene, MARK_BOUNDARY, i, i + 1);
+    assert_int_equal(scene.mark_count[MARK_FLIPPED], COUNT);
+    assert_in_range(scene.kept_mark_count, SCENE_MARK_LIMIT / 3, SCENE_MARK_LIMIT);
+    assert_int_equal(scene.marks[0].kind, MARK_DUPLICATE);
+    assert_int_equal(scene.marks[1].kind, MARK_FLIPPED);
+    assert_int_equal(scene.marks[1].vertex[0], 0);
+    int flipped_in[PARTS] = {0}, flipped = 0;
+    for (int m = 0; m < scene.kept_mark_count; m++)
+        if (scene.marks[m].kind == MARK_FLIPPED) {
+            flipped_in[(int64_t)scene.marks[m].vertex[0] * PARTS / COUNT]++;
+            flipped++;
+        }
+    assert_true(flipped > SCENE_MARK_LIMIT / 8);
+    for (int part = 0; part < PARTS; part++)
+        assert_in_range(flipped_in[part], flipped / PARTS / 2, 2 * flipped / PARTS);
     scene_release(&scene);
 }
 
@@ -312,6 +340,7 @@ int main(void)
         cmocka_unit_test(bad_meshes_are_refused_and_leave_the_scene_valid),
         cmocka_unit_test(the_empty_mesh_is_a_scene),
         cmocka_unit_test(marks_are_all_counted_and_some_kept),
+        cmocka_unit_test(many_marks_are_thinned_out_evenly),
         cmocka_unit_test(marks_outside_of_the_mesh_are_not_written),
         cmocka_unit_test(big_meshes_are_cut_to_what_surrounds_the_marks),
         cmocka_unit_test(a_big_mesh_without_marks_is_cut_from_its_first_triangle),

@@ -265,6 +265,7 @@ struct built {
     int32_t m, n;
     int64_t own_bytes, own_processed, strip_count, vertices_per_strip;
     const float **strips; /* m of them, owned; NULL until all counts are right */
+    int32_t first_shown;  /* SHOWN_STRIP_LIMIT strips from this one on are in the picture */
 };
 
 static void reject_malformed(struct judgement *out)
@@ -339,8 +340,25 @@ static void corners_of(int32_t i, int32_t corner[3])
     corner[2] = i + 2;
 }
 
+/* The first fault decides which strips the picture shows, when it cannot show all. */
+static void show_around(struct built *built, int32_t strip)
+{
+    if (strip >= SHOWN_STRIP_LIMIT)
+        built->first_shown =
+            strip < built->m - SHOWN_STRIP_LIMIT ? strip : built->m - SHOWN_STRIP_LIMIT;
+}
+
+/* The number of a strip's vertex in the scene's mesh, -1 when the strip is not shown. */
+static int32_t shown_vertex(const struct built *built, int32_t strip, int32_t vertex)
+{
+    int32_t place = strip - built->first_shown;
+    if (place < 0 || place >= SHOWN_STRIP_LIMIT)
+        return -1;
+    return place * (int32_t)built->vertices_per_strip + vertex;
+}
+
 /* A vertex that is no lattice point is rejected. */
-static void judge_place(const struct lattice *lattice, const struct built *built, int32_t strip,
+static void judge_place(const struct lattice *lattice, struct built *built, int32_t strip,
                         int32_t vertex, struct judgement *out)
 {
     const float *p = built->strips[strip] + 3 * (int64_t)vertex;
@@ -349,6 +367,8 @@ static void judge_place(const struct lattice *lattice, const struct built *built
         return;
     judge_name_element(out, "strip %d, vertex %d (%.6g, %.6g, %.6g)", strip, vertex, (double)p[0],
                        (double)p[1], (double)p[2]);
+    show_around(built, strip);
+    scene_mark_vertex(&out->scene, MARK_WRONG, shown_vertex(built, strip, vertex));
     judge_reject(
         out, "vertex-off-grid",
         "Vertex %d of strip %d is at (%.6g, %.6g, %.6g), which is not within 0.00001 of a place"
@@ -392,8 +412,8 @@ static enum mark_kind mark_of(enum lattice_fit fit)
 }
 
 /* Adds a strip's triangles to the lattice; the first fault is named, all are marked. */
-static void judge_strip(struct lattice *lattice, const struct built *built, int32_t strip,
-                        int64_t aspect, struct judgement *out)
+static void judge_strip(struct lattice *lattice, struct built *built, int32_t strip, int64_t aspect,
+                        struct judgement *out)
 {
     int32_t vertex_count = (int32_t)built->vertices_per_strip;
     int32_t strip_row = -1;
@@ -416,13 +436,13 @@ static void judge_strip(struct lattice *lattice, const struct built *built, int3
         }
         if (!turned && fit == LATTICE_HALF_FLIPPED)
             fit = LATTICE_HALF; /* it only leaves the row */
-        if (!out->cause[0])
+        if (!out->cause[0]) {
             reject_triangle(fit, strip, i, out);
-        int32_t first = strip * vertex_count;
-        if (strip >= SHOWN_STRIP_LIMIT)
-            continue;
-        scene_mark_triangle(&out->scene, mark_of(fit), first + corner[0], first + corner[1],
-                            first + corner[2]);
+            show_around(built, strip);
+        }
+        scene_mark_triangle(&out->scene, mark_of(fit), shown_vertex(built, strip, corner[0]),
+                            shown_vertex(built, strip, corner[1]),
+                            shown_vertex(built, strip, corner[2]));
     }
 }
 
@@ -438,14 +458,15 @@ static int show_strips(const struct built *built, struct scene *scene, struct er
     int failed = 0;
     int32_t *triangle = mesh.triangles;
     for (int32_t s = 0; s < shown && !failed; s++) {
+        const float *positions = built->strips[built->first_shown + s];
         for (int64_t i = 0; i < 3 * per_strip; i++)
-            mesh.positions[3 * per_strip * s + i] = built->strips[s][i];
+            mesh.positions[3 * per_strip * s + i] = positions[i];
         for (int32_t i = 0; i < per_strip - 2; i++, triangle += 3) {
             corners_of(i, triangle);
             for (int j = 0; j < 3; j++)
                 triangle[j] += s * (int32_t)per_strip;
         }
-        failed = show_strip(scene, built->strips[s], per_strip, err);
+        failed = show_strip(scene, positions, per_strip, err);
     }
     if (!failed)
         failed = show_mesh(scene, mesh.positions, mesh.vertex_count, mesh.triangles,
@@ -454,7 +475,7 @@ static int show_strips(const struct built *built, struct scene *scene, struct er
     return failed;
 }
 
-static int judge_shape(const struct built *built, int64_t aspect, struct judgement *out,
+static int judge_shape(struct built *built, int64_t aspect, struct judgement *out,
                        struct error *err)
 {
     struct lattice lattice;
@@ -478,7 +499,7 @@ static int judge_shape(const struct built *built, int64_t aspect, struct judgeme
 
 /* -------------------------------------------------------------------- judge */
 
-static int judge_built(const struct built *built, int64_t aspect, const struct usage *usage,
+static int judge_built(struct built *built, int64_t aspect, const struct usage *usage,
                        struct judgement *out, struct error *err)
 {
     if (aspect & LOOK_AT_MEMORY) {
