@@ -82,18 +82,6 @@ static int compare_points(const void *left, const void *right)
     return a->x < b->x ? -1 : a->x > b->x;
 }
 
-/* Growth exponent between the first and the last point; 0 when the curve does not rise throughout.
- */
-static double slope(const struct point *points, int count)
-{
-    for (int i = 1; i < count; i++)
-        if (!(points[i].x > points[i - 1].x && points[i].y > points[i - 1].y))
-            return 0;
-    if (count < 2)
-        return 0;
-    return log(points[count - 1].y / points[0].y) / log(points[count - 1].x / points[0].x);
-}
-
 static bool on_diagonal(const struct formula *formula, const int32_t *row)
 {
     return !formula->parameter[1] || row[0] == row[1];
@@ -132,8 +120,7 @@ static int add_curve(struct scene *scene, const char *name, const struct formula
             x[i] = points[i].x;
             x[row_count + i] = points[i].y;
         }
-        double exponent = diagonal ? slope(points, count) : 0;
-        failed = scene_add_curve(scene, name, x, x + row_count, count, exponent, err);
+        failed = scene_add_curve(scene, name, x, x + row_count, count, 0, err);
     }
     free(points);
     free(x);

@@ -74,7 +74,8 @@ size_t depth_grid::cell(vec3 point) const
 
 namespace
 {
-/* Weighted share of the marked places that face the eye and are not hidden, 0 ... 1. */
+/* Weighted share of the marked places that are seen flat and not hidden, 0 ... 1. Which side of the
+ * surface they turn to the eye does not count: it may be wound inside out. */
 double share_seen(const std::vector<place> &surface, const std::vector<place> &marked,
                   const view &look)
 {
@@ -85,7 +86,7 @@ double share_seen(const std::vector<place> &surface, const std::vector<place> &m
     double sum = 0, weights = 0;
     for (const place &one : marked) {
         bool known = length(one.normal) > 0;
-        double facing = std::clamp(dot(one.normal, look.toward) / facing_enough, 0.0, 1.0);
+        double facing = std::min(std::fabs(dot(one.normal, look.toward)) / facing_enough, 1.0);
         weights += one.weight;
         if (!grid.hides(one.point))
             sum += one.weight * (known ? facing : 1);
@@ -115,9 +116,10 @@ view best_view(const std::vector<place> &surface, const std::vector<place> &mark
         for (int step = 0; step < 12; step++) {
             if (elevation < 0 && marked.empty())
                 continue;
-            view candidate(usual_azimuth + 30 * step, elevation);
+            double azimuth = usual_azimuth + 30 * step;
+            view candidate(azimuth, elevation);
             bool usual = step == 0 && elevation == usual_elevation;
-            double score = share_facing(surface, candidate) +
+            double score = share_facing(surface, view(azimuth, std::fabs(elevation))) +
                            seen_worth * share_seen(surface, marked, candidate) +
                            (usual ? usual_bonus : 0) -
                            (std::fabs(elevation) - usual_elevation) * cost_a_degree -
@@ -130,12 +132,12 @@ view best_view(const std::vector<place> &surface, const std::vector<place> &mark
     return best;
 }
 
-bool any_turned_away(const std::vector<vec3> &points, const std::vector<triangle> &triangles,
-                     const view &look)
+bool shows_a_back(const std::vector<vec3> &points, const std::vector<triangle> &triangles,
+                  const view &look, const depth_grid &depths)
 {
     return std::any_of(triangles.begin(), triangles.end(), [&](const triangle &t) {
         vec3 a = points[t[0]], b = points[t[1]], c = points[t[2]];
-        return dot(cross(b - a, c - a), look.toward) < 0;
+        return dot(cross(b - a, c - a), look.toward) < 0 && !depths.hides((a + b + c) * (1.0 / 3));
     });
 }
 

@@ -49,9 +49,9 @@ class depth_grid
  * From below only when places are marked that are not seen from above. */
 view best_view(const std::vector<place> &surface, const std::vector<place> &marked);
 
-/* Whether some triangle turns its back to the eye. */
-bool any_turned_away(const std::vector<vec3> &points, const std::vector<triangle> &triangles,
-                     const view &look);
+/* Whether some triangle turns its back to the eye and is not hidden. */
+bool shows_a_back(const std::vector<vec3> &points, const std::vector<triangle> &triangles,
+                  const view &look, const depth_grid &depths);
 
 /* Room left free around the object, in units of paper. */
 struct margins {

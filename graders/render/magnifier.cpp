@@ -16,11 +16,15 @@ static double mark_reach(const shape &mesh, const mark &one)
     return reach;
 }
 
-/* The usual look turned to the side from which the mark is seen. */
-static view look_at_mark(const view &look, vec3 normal)
+/* The usual look, or when the mark lies aslant or behind, that from its own outer side. */
+static view look_at_mark(const view &look, vec3 normal, bool hidden)
 {
-    if (dot(normal, look.toward) > .45 || length(normal) == 0)
+    const double aslant = .45;
+    double facing = dot(normal, look.toward);
+    if ((std::fabs(facing) > aslant && !hidden) || length(normal) == 0)
         return look;
+    if (!hidden && facing < 0) /* wound inside out */
+        normal = normal * -1;
     double azimuth = std::atan2(normal.y, normal.x) * 180 / M_PI;
     double elevation = std::asin(std::clamp(normal.z, -1.0, 1.0)) * 180 / M_PI;
     return view(azimuth + 12, std::clamp(elevation + 12, -70.0, 75.0));
@@ -35,10 +39,12 @@ std::optional<close_up> choose_close_up(const scene &from, const shape &mesh, co
             continue;
         double reach = std::max(mark_reach(mesh, one), 1.2 * mesh.spacing);
         vec3 middle = mark_middle(mesh.points, one), normal = mark_normal(mesh, one);
-        bool hidden = depths.hides(middle) || dot(normal, look.toward) < 0;
+        bool hidden = depths.hides(middle);
         if ((reach > small && !hidden) || mesh.triangles.empty())
             return std::nullopt;
-        return close_up{one, middle, look_at_mark(look, normal), 2.4 * reach};
+        if (hidden && one.kind == flipped) /* its normal points inwards */
+            normal = normal * -1;
+        return close_up{one, middle, look_at_mark(look, normal, hidden), 2.4 * reach};
     }
     return std::nullopt;
 }

@@ -141,6 +141,25 @@ vec3 mark_middle(const std::vector<vec3> &points, const mark &one)
     return sum * (1.0 / one.vertex_count());
 }
 
+static triangle in_order(triangle corners)
+{
+    std::sort(corners.begin(), corners.end());
+    return corners;
+}
+
+std::vector<triangle> without_marked(const std::vector<triangle> &triangles,
+                                     const std::vector<mark> &marks)
+{
+    std::set<triangle> marked;
+    for (const mark &one : marks)
+        if (one.what == element::at_triangle)
+            marked.insert(in_order({one.vertex[0], one.vertex[1], one.vertex[2]}));
+    std::vector<triangle> left;
+    std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(left),
+                 [&](const triangle &t) { return !marked.count(in_order(t)); });
+    return left;
+}
+
 std::vector<place> places_of_marks(const shape &mesh, const std::vector<mark> &marks)
 {
     std::vector<place> places;

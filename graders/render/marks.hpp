@@ -23,6 +23,10 @@ double mark_radius(const shape &mesh, double paper_units_per_world_unit);
 vec3 mark_normal(const shape &mesh, const mark &one);
 vec3 mark_middle(const std::vector<vec3> &points, const mark &one);
 
+/* The triangles that no mark on a triangle covers. */
+std::vector<triangle> without_marked(const std::vector<triangle> &triangles,
+                                     const std::vector<mark> &marks);
+
 /* Where the marks are, for choosing a view: the first counts as much as a third of all others. */
 std::vector<place> places_of_marks(const shape &mesh, const std::vector<mark> &marks);
 

@@ -6,6 +6,7 @@
 #include "graders/render/surfaces.hpp"
 #include "graders/render/text.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vtkCamera.h>
 
@@ -31,30 +32,40 @@ void add_isolated(canvas &target, const shape &mesh, double radius)
     target.front()->AddActor(dots.actor(palette::grey_ink.with_alpha(.22), finish::ghost));
 }
 
-std::vector<legend_entry> legend_of(const scene &from, const shape &mesh, const view &look)
+std::vector<legend_entry> legend_of(const scene &from, const shape &mesh, const view &look,
+                                    const depth_grid &depths)
 {
     std::vector<legend_entry> entries = mark_legend(from);
     if (!mesh.isolated.empty())
         entries.push_back(
             disc_entry("isolated", grouped(int64_t(mesh.isolated.size())), palette::grey_ink));
-    if (mesh.shows_inside && any_turned_away(mesh.points, mesh.triangles, look))
+    if (mesh.shows_inside &&
+        shows_a_back(mesh.points, without_marked(mesh.triangles, from.marks), look, depths))
         entries.push_back(patch_entry("back of a triangle", palette::back_face));
-    for (const mark &one : from.marks)
-        if (dot(mark_normal(mesh, one), look.toward) < 0) {
-            entries.push_back(patch_entry("pale: behind", {236, 216, 222}));
-            break;
-        }
+    if (std::any_of(from.marks.begin(), from.marks.end(),
+                    [&](const mark &one) { return depths.hides(mark_middle(mesh.points, one)); }))
+        entries.push_back(patch_entry("pale: behind", {236, 216, 222}));
     return entries;
 }
 
-/* Numbers of the vertices, when they are few. */
-void label_vertices(canvas &target, const shape &mesh, const depth_grid &depths,
-                    const framing &frame)
+/* Which vertices have their numbers beside them: all of few, else those of the first mark. */
+std::vector<size_t> labelled_vertices(const scene &from, const shape &mesh)
 {
-    if (mesh.points.size() > labelled_vertices_limit)
-        return;
+    std::vector<size_t> numbers;
+    if (mesh.points.size() <= labelled_vertices_limit)
+        for (size_t v = 0; v < mesh.points.size(); v++)
+            numbers.push_back(v);
+    else if (!from.marks.empty() && from.marks[0].kind != boundary)
+        for (int i = 0; i < from.marks[0].vertex_count(); i++)
+            numbers.push_back(size_t(from.marks[0].vertex[i]));
+    return numbers;
+}
+
+void label_vertices(canvas &target, const shape &mesh, const std::vector<size_t> &numbers,
+                    const depth_grid &depths, const framing &frame)
+{
     point2 middle = frame.on_paper({0, 0, 0});
-    for (size_t v = 0; v < mesh.points.size(); v++) {
+    for (size_t v : numbers) {
         point2 at = frame.on_paper(mesh.points[v]);
         bool hidden = depths.hides(mesh.points[v]);
         target.on_paper([=](paper &sheet) {
@@ -83,7 +94,7 @@ image draw_mesh(const scene &from, picture_size size)
     std::vector<place> surface = sample_surface(mesh.points, mesh.triangles);
     view look = best_view(surface, places_of_marks(mesh, from.marks));
     depth_grid depths(surface, look);
-    std::vector<legend_entry> legend = legend_of(from, mesh, look);
+    std::vector<legend_entry> legend = legend_of(from, mesh, look, depths);
     std::optional<close_up> inset = choose_close_up(from, mesh, look, depths);
     margins free = {48, inset ? close_up_side + 56.0 : 48, 92, legend.size() > 5 ? 100.0 : 76.0};
     vtkCamera *camera = target.world()->GetActiveCamera();
@@ -99,8 +110,8 @@ image draw_mesh(const scene &from, picture_size size)
     add_marks(target.front(), mesh.points, from.marks, radius, finish::ghost);
     if (inset)
         add_close_up(target, *inset, from, mesh, frame);
-    if (!from.cut)
-        label_vertices(target, mesh, depths, frame);
+    if (!from.cut && (!inset || mesh.points.size() <= labelled_vertices_limit))
+        label_vertices(target, mesh, labelled_vertices(from, mesh), depths, frame);
     target.on_paper([&](paper &sheet) {
         draw_title(sheet, from.title, subtitle_of(from));
         draw_legend(sheet, legend);

@@ -3,12 +3,12 @@
 
 namespace
 {
-const double margin = 24, swatch_width = 26, row_height = 24, axes_room = 96;
+const double margin = 24, swatch_width = 26, row_height = 24, axes_room = 96, entry_gap = 22;
 const font title_font = {20, weight::semibold, palette::ink};
 const font subtitle_font = {13, weight::regular, palette::grey_ink};
 const font name_font = {13.5, weight::regular, palette::ink};
 const font count_font = {13.5, weight::semibold, palette::ink};
-const font muted_font = {13.5, weight::regular, palette::pale_ink};
+const font muted_font = {13.5, weight::regular, palette::grey_ink};
 
 double entry_width(paper &sheet, const legend_entry &entry)
 {
@@ -31,19 +31,39 @@ using row = std::vector<size_t>;
 
 std::vector<row> legend_layout(paper &sheet, const std::vector<legend_entry> &entries)
 {
-    const double gap = 22, room = sheet.width() - 2 * margin - axes_room;
+    const double room = sheet.width() - 2 * margin - axes_room;
     std::vector<row> rows;
     double used = room + 1;
     for (size_t i = 0; i < entries.size(); i++) {
         double width = entry_width(sheet, entries[i]);
-        if (used + gap + width > room) {
+        if (used + entry_gap + width > room) {
             rows.push_back({});
-            used = -gap;
+            used = -entry_gap;
         }
         rows.back().push_back(i);
-        used += gap + width;
+        used += entry_gap + width;
     }
     return rows;
+}
+
+double row_width(paper &sheet, const std::vector<legend_entry> &entries, const row &line)
+{
+    double width = -entry_gap;
+    for (size_t i : line)
+        width += entry_gap + entry_width(sheet, entries[i]);
+    return width;
+}
+
+/* Keeps the words readable over shadows and over the mesh. */
+void draw_plate(paper &sheet, const std::vector<legend_entry> &entries,
+                const std::vector<row> &rows)
+{
+    const double pad = 12, ascent = 19, descent = 11;
+    double width = 0, height = row_height * double(rows.size() - 1);
+    for (const row &line : rows)
+        width = std::max(width, row_width(sheet, entries, line));
+    sheet.rounded({sheet.width() - margin - width - pad, sheet.height() - margin - height - ascent},
+                  width + 2 * pad, height + ascent + descent, 8, palette::paper.with_alpha(.8));
 }
 } // namespace
 
@@ -64,7 +84,7 @@ void draw_title(paper &sheet, const std::string &title, const std::string &subti
 
 void draw_label(paper &sheet, point2 at, point2 away, const std::string &words, bool muted)
 {
-    const font style = {10.5, weight::semibold, muted ? palette::pale_ink : palette::ink};
+    const font style = {10.5, weight::semibold, muted ? palette::grey_ink : palette::ink};
     const double height = 14, reach = 13;
     double size = std::hypot(away.x, away.y);
     point2 unit = size > 0 ? point2{away.x / size, away.y / size} : point2{0, -1};
@@ -78,16 +98,16 @@ void draw_label(paper &sheet, point2 at, point2 away, const std::string &words, 
 
 void draw_legend(paper &sheet, const std::vector<legend_entry> &entries)
 {
-    const double gap = 22;
+    if (entries.empty())
+        return;
     std::vector<row> rows = legend_layout(sheet, entries);
+    draw_plate(sheet, entries, rows);
     double y = sheet.height() - margin - row_height * double(rows.size() - 1);
     for (const row &line : rows) {
-        double x = sheet.width() - margin + gap;
-        for (size_t i : line)
-            x -= gap + entry_width(sheet, entries[i]);
+        double x = sheet.width() - margin - row_width(sheet, entries, line);
         for (size_t i : line) {
             draw_entry(sheet, entries[i], {x, y});
-            x += gap + entry_width(sheet, entries[i]);
+            x += entry_gap + entry_width(sheet, entries[i]);
         }
         y += row_height;
     }

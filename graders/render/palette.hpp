@@ -24,7 +24,7 @@ struct colour {
 namespace palette
 {
 inline constexpr colour ink = {26, 33, 46};
-inline constexpr colour grey_ink = {92, 102, 117};
+inline constexpr colour grey_ink = {74, 84, 99};
 inline constexpr colour pale_ink = {146, 155, 168};
 inline constexpr colour hairline = {222, 227, 234};
 inline constexpr colour paper = {255, 255, 255};

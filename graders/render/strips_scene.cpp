@@ -1,11 +1,13 @@
 /* Strips in turn colours, with the order of their vertices; see pictures.hpp. */
 #include "graders/render/canvas.hpp"
+#include "graders/render/magnifier.hpp"
 #include "graders/render/marks.hpp"
 #include "graders/render/pictures.hpp"
 #include "graders/render/surfaces.hpp"
 #include "graders/render/text.hpp"
 
 #include <iterator>
+#include <optional>
 #include <vtkCamera.h>
 
 namespace
@@ -135,10 +137,15 @@ image draw_strips(const scene &from, picture_size size)
         throw not_showable("There are no strips: the answer has no vertices.");
     canvas target(size.width, size.height, backdrop::gradient);
     std::vector<triangle> all = all_triangles(set);
-    view look = best_view(sample_surface(set.points, all), {});
-    std::vector<legend_entry> legend = legend_of(from, set, any_turned_away(set.points, all, look));
+    shape named(set.marked, from.mesh.triangles);
+    std::vector<place> surface = sample_surface(set.points, all);
+    view look = best_view(surface, {});
+    depth_grid depths(surface, look);
+    std::optional<close_up> inset = choose_close_up(from, named, look, depths);
+    std::vector<legend_entry> legend =
+        legend_of(from, set, shows_a_back(set.points, all, look, depths));
     framing frame(target.world()->GetActiveCamera(), set.points, look, target.paper_width(),
-                  {48, 48, 92, legend.size() > 5 ? 100.0 : 76.0});
+                  {48, inset ? close_up_side + 56.0 : 48, 92, legend.size() > 4 ? 100.0 : 76.0});
     double units = frame.units_at_middle(), width = mean_length(set.points, set.rungs);
     double spacing = edge_spacing(set.points, all, set.rungs);
     double thin = std::clamp(.06 * spacing, .7 / units, 3.0 / units);
@@ -156,6 +163,8 @@ image draw_strips(const scene &from, picture_size size)
         add_ways(target, set, thick, look.toward * (1.5 * thick));
     add_marks(target.world(), set.marked, from.marks, 1.3 * thin, finish::lit);
     add_marks(target.front(), set.marked, from.marks, 1.3 * thin, finish::ghost);
+    if (inset)
+        add_close_up(target, *inset, from, named, frame);
     target.on_paper([&](paper &sheet) {
         draw_title(sheet, from.title, from.subtitle);
         draw_legend(sheet, legend);
