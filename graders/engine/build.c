@@ -312,11 +312,9 @@ static int check_build(const struct exercise *exercise, const struct source *sou
 static int open_programs(struct build *build, struct error *err)
 {
     for (int kind = 0; kind < PROGRAM_COUNT; kind++) {
-        char path[PATH_MAX + 16];
-        snprintf(path, sizeof path, "%s/%s", build->folder, program_names[kind]);
-        build->program_fd[kind] = open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+        build->program_fd[kind] = file_open_below(build->folder, program_names[kind], err);
         if (build->program_fd[kind] < 0)
-            return error_set(err, "%s: %s", path, strerror(errno));
+            return -1;
     }
     return 0;
 }

@@ -65,9 +65,9 @@ int file_read(const char *path, size_t limit, char **bytes, size_t *count, struc
     return read_descriptor(descriptor, path, limit, bytes, count, err);
 }
 
-int file_read_below(const char *folder, const char *name, size_t limit, char **bytes, size_t *count,
-                    struct error *err)
+int file_open_below(const char *folder, const char *name, struct error *err)
 {
+    struct stat status;
     int below = open(folder, O_PATH | O_DIRECTORY | O_CLOEXEC);
     if (below < 0)
         return error_set(err, "%s: %s", folder, strerror(errno));
@@ -79,7 +79,17 @@ int file_read_below(const char *folder, const char *name, size_t limit, char **b
     close(below);
     if (descriptor < 0)
         return error_set(err, "%s/%s: %s", folder, name, strerror(failure));
-    return read_descriptor(descriptor, name, limit, bytes, count, err);
+    if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode))
+        return descriptor;
+    close(descriptor);
+    return error_set(err, "%s/%s: not a regular file", folder, name);
+}
+
+int file_read_below(const char *folder, const char *name, size_t limit, char **bytes, size_t *count,
+                    struct error *err)
+{
+    int descriptor = file_open_below(folder, name, err);
+    return descriptor < 0 ? -1 : read_descriptor(descriptor, name, limit, bytes, count, err);
 }
 
 int file_write(const char *path, const void *bytes, size_t count, struct error *err)

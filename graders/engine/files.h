@@ -14,8 +14,13 @@
 int file_read(const char *path, size_t limit, char **bytes, size_t *count,
               struct error *err) MUST_CHECK;
 
-/* As file_read, for a file that hostile code may have made: `name` is opened below `folder` without
- * leaving it and without following any link. */
+/* Opens for reading what hostile code may have made: `name` is found below `folder` without leaving
+ * it and without following any link, and must be a regular file. Never waits.
+ *
+ * returns  a descriptor, the caller's; -1 and *err */
+int file_open_below(const char *folder, const char *name, struct error *err) MUST_CHECK;
+
+/* As file_read, for a file that hostile code may have made; opened as by file_open_below. */
 int file_read_below(const char *folder, const char *name, size_t limit, char **bytes, size_t *count,
                     struct error *err) MUST_CHECK;
 

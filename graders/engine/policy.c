@@ -71,6 +71,9 @@ static const char *const system_templates[] = {
     "pconfig\\n\\t",   "encls\\n\\t",     "enclu\\n\\t", "enclv\\n\\t",
     "ldtilecfg\\t%X0", "sttilecfg\\t%X0", "tilerelease", NULL};
 
+/* Where the real ones stand; what else gcc calls a system header is not believed. */
+static const char *const system_folders[] = {"/usr/include", "/usr/lib/gcc", NULL};
+
 static bool is(struct slice text, const char *word)
 {
     return strlen(word) == text.count && memcmp(text.at, word, text.count) == 0;
@@ -165,12 +168,22 @@ static struct slice folder_of(struct slice path)
     return path;
 }
 
-static void check_included(struct reader *r, struct slice name)
+static bool is_in_system_folder(struct slice path)
+{
+    for (const char *const *folder = system_folders; *folder; folder++)
+        if (is_below(path, (struct slice){*folder, strlen(*folder)}))
+            return !has_parent_step(path);
+    return false;
+}
+
+static void check_included(struct reader *r, struct slice name, bool is_system)
 {
     struct slice public_folder = {r->public_folder,
                                   r->public_folder ? strlen(r->public_folder) : 0};
     bool is_absolute = name.count && name.at[0] == '/';
-    bool is_ours = is_below(name, public_folder) || is_below(name, folder_of(r->main_file));
+    bool is_ours = is_system
+                       ? is_in_system_folder(name)
+                       : is_below(name, public_folder) || is_below(name, folder_of(r->main_file));
     if (has_parent_step(name) || (is_absolute && !is_ours))
         refuse_here(r, "forbidden-include", name,
                     "files may not be included by an absolute path or from a parent folder.",
@@ -210,10 +223,10 @@ static void follow_marker(struct reader *r, struct slice line)
     if (!enters && !returns && !is_known)
         refuse_here(r, "forbidden-line", name, "#line may not rename the file.",
                     "#line no puede cambiar el nombre del archivo.");
-    if (enters && !is_system)
-        check_included(r, name);
+    if (enters)
+        check_included(r, name, is_system);
     r->file = name;
-    r->is_system = is_system && name.count && name.at[0] == '/';
+    r->is_system = is_system && is_in_system_folder(name);
     r->line = number - 1; /* the end of this line counts one */
 }
 

@@ -7,7 +7,8 @@
  *     weakref, no_sanitize and its kin, optimize, target; in either syntax
  *   - pragmas GCC optimize, target, push_options, dependency, pch_preprocess; redefine_extname,
  * weak
- *   - #line and hand-made line markers; #include by absolute or parent paths
+ *   - #line and hand-made line markers; #include by absolute or parent paths, also where <> leads
+ * out of /usr/include and the compiler's own headers
  *   - raw strings, which are not C and would be read differently here and by the compiler
  * Intrinsics (__builtin_ia32_..., <immintrin.h>) are allowed.
  *

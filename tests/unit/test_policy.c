@@ -228,6 +228,18 @@ static void includes_stay_inside(void **state)
     assert_string_equal(policy.refusal.cause, "forbidden-include");
     policy = judge("#include \"/usr/include/limits.h\"\n", "");
     assert_string_equal(policy.refusal.cause, "forbidden-include");
+    /* gcc marks what <> finds as a system header, wherever the path leads from there. */
+    static const char *const ways[] = {"linux/../../..", "../..", "linux/../../../../.."};
+    static const char *const contents[] = {"int own;\n", "#pragma GCC target(\"avx512f\")\n",
+                                           "int f(void) __asm__(\"hidden\");\n"};
+    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++)
+        for (size_t j = 0; j < sizeof contents / sizeof contents[0]; j++) {
+            write_file("own.h", contents[j]);
+            snprintf(source, sizeof source, "#include <%s%s>\n", ways[i], outside);
+            policy = judge(source, "");
+            assert_string_equal(policy.refusal.cause, "forbidden-include");
+        }
+    expect("#include <sys/types.h>\n#include <linux/limits.h>\n", "", 0);
 }
 
 /* gnu17 knows raw strings, c17 does not: what one takes for a string the other compiles. */
