@@ -204,7 +204,7 @@ static void usual_mistakes_are_guessed(void **state)
     assert_says(&cube, -1, "negative-area", "its sign reversed");
     assert_says(&cube, 11.0 / 12, "wrong-area", "The last triangle is missing");
     assert_says(&cube, 1.0 / 12, "wrong-area", "the mean area");
-    assert_says(&cube, 0.7, "wrong-area", "allowed 0.000001.");
+    assert_says(&cube, 0.7, "wrong-area", "allowed 1e-06.");
     assert_says(&spiky, (double)NAN, "not-a-number", "Triangle 12 has area 0");
     assert_says(&cube, HUGE_VAL, "not-a-number", "the area is infinity instead of 6");
 }
