@@ -89,6 +89,7 @@ static int close_output(int code)
 int main(int argc, char **argv)
 {
     watch_crashes();
+    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error of write, and is told */
     json_set_alloc_funcs(allocate_or_end, free);
     setlocale(LC_CTYPE, "C.UTF-8"); /* for the width of characters; numbers stay as in C */
     const char *name = argc > 1 ? argv[1] : "";

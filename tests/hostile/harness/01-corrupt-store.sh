@@ -4,5 +4,5 @@
 
 . "$HOSTILE/scene.sh"
 head -c 5000 "$MESHGRADE" >out/meshgrade.sqlite
-"$MESHGRADE" grade class -o out --no-pictures
-tell $? out
+grade
+tell $? out "move the file away"

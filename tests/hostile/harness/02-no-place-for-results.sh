@@ -3,5 +3,5 @@
 # expect: refused
 
 . "$HOSTILE/scene.sh"
-"$MESHGRADE" grade class -o /proc/meshgrade-out --no-pictures
-tell $? out
+"$MESHGRADE" grade class -o /proc/meshgrade-out --no-pictures >log 2>&1
+tell $? /proc/meshgrade-out "/proc/meshgrade-out: "

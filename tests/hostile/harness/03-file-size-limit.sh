@@ -3,5 +3,5 @@
 # expect: refused
 
 . "$HOSTILE/scene.sh"
-(ulimit -f 8; "$MESHGRADE" grade class -o out --no-pictures)
-tell $? out
+(ulimit -f 8; "$MESHGRADE" grade class -o out --no-pictures 2>&1) | cat >log
+tell "${PIPESTATUS[0]}" out "(large|full|write|disk)"

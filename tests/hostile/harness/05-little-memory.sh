@@ -3,5 +3,5 @@
 # expect: refused
 
 . "$HOSTILE/scene.sh"
-(ulimit -v 60000; "$MESHGRADE" grade class -o out --no-pictures)
-tell $? out
+(ulimit -v 60000; grade)
+tell $? out "(memory|rlimits)"

@@ -3,5 +3,5 @@
 # expect: refused
 
 . "$HOSTILE/scene.sh"
-"$MESHGRADE" grade nowhere -o out --no-pictures
-tell $? out
+"$MESHGRADE" grade nowhere -o out --no-pictures >log 2>&1
+tell $? out "nowhere: "

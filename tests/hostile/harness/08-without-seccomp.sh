@@ -3,5 +3,5 @@
 # expect: refused
 
 . "$HOSTILE/scene.sh"
-"$MESHGRADE" grade class -o out --no-pictures --without seccomp
-tell $? out
+grade --without seccomp
+tell $? out "without seccomp"

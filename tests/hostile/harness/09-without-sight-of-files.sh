@@ -3,5 +3,5 @@
 # expect: refused
 
 . "$HOSTILE/scene.sh"
-"$MESHGRADE" grade class -o out --no-pictures --without private-root,landlock
-tell $? out
+grade --without private-root,landlock
+tell $? out "neither private root nor Landlock"

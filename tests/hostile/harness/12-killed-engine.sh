@@ -6,9 +6,9 @@
 cp "$HOSTILE"/runtime/*-endless-loop.c class/ana/edge-table-closed.c
 cp "$HOSTILE/honest.h" class/ana
 setsid "$MESHGRADE" grade class -o out --no-pictures -j 1 >/dev/null 2>&1 &
-engine=$!
+engine=$! started=no
 for _ in $(seq 600); do # until the submission is at work below the engine
-    ps -o args= -s "$engine" | grep -qx submission && break
+    ps -o args= -s "$engine" | grep -qx submission && started=yes && break
     sleep 0.1
 done
 kill -9 "$engine"
@@ -18,4 +18,10 @@ for _ in $(seq 100); do
 done
 left=$(ps -o stat= -s "$engine" | grep -v Z)
 "$MESHGRADE" check edge-table-closed --quick class/ana/edge-table-closed.c class/ana/honest.h >/dev/null 2>&1
-[ -z "$left" ] && echo "nothing left" || echo "something left"
+if [ "$started" = no ]; then
+    echo "the submission never ran"
+elif [ -n "$left" ]; then
+    echo "something left"
+else
+    echo "nothing left"
+fi
