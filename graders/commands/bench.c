@@ -5,6 +5,7 @@
 
 #include "bench/compare/claims.h"
 #include "bench/compare/document.h"
+#include "bench/compare/fingerprint.h"
 #include "bench/compare/run.h"
 #include "bench/compare/subjects.h"
 #include "bench/compare/table.h"
@@ -72,35 +73,6 @@ static int find_places(struct settings *settings, struct error *err)
              : snprintf(settings->folder, PATH_MAX, "%s/build/bench", root)) >= PATH_MAX)
         return error_set(err, "too long a path");
     return folder_make(settings->folder, err);
-}
-
-/* ---- what was measured: results of other programs or machines are not mixed with these ---- */
-
-static unsigned long long hash_file(const char *path, unsigned long long hash)
-{
-    unsigned char bytes[65536];
-    size_t count;
-    FILE *file = fopen(path, "re");
-    while (file && (count = fread(bytes, 1, sizeof bytes, file)) > 0)
-        for (size_t i = 0; i < count; i++)
-            hash = (hash ^ bytes[i]) * 0x100000001B3U;
-    if (file)
-        fclose(file);
-    return hash;
-}
-
-static void make_fingerprint(const struct plan *plan, const struct machine *machine,
-                             const struct settings *settings, char *text, size_t capacity)
-{
-    unsigned long long hash = hash_file(settings->program, 0xCBF29CE484222325U);
-    for (int i = 0; i < plan->job_count; i++)
-        for (int k = 0; k < plan->jobs[i].contender_count; k++) {
-            const struct contender *contender = &plan->jobs[i].contenders[k];
-            if (contender->kind == CONTENDER_PEER && i == 0)
-                hash = hash_file(contender->program, hash);
-        }
-    snprintf(text, capacity, "%016llx %s %d %s", hash, machine->cpu, machine->core_count,
-             machine->kernel);
 }
 
 /* Says so when --peers finds none. */
@@ -251,7 +223,7 @@ static int bench(const struct settings *settings, struct error *err)
     struct plan plan;
     struct journal journal;
     struct machine machine;
-    char fingerprint[256];
+    char fingerprint[FINGERPRINT_BYTES];
     struct plan_wish wish = {.what = settings->what,
                              .quick = settings->quick,
                              .thorough = settings->thorough,
@@ -265,7 +237,7 @@ static int bench(const struct settings *settings, struct error *err)
     if (plan_make(&plan, &wish, err) != 0)
         return -1;
     look_for_peers(settings, &plan);
-    make_fingerprint(&plan, &machine, settings, fingerprint, sizeof fingerprint);
+    fingerprint_write(&plan, settings->program, &machine, fingerprint);
     int result = journal_open(&journal, settings->folder, fingerprint, err);
     if (result == 0) {
         if (journal.was_other)
