@@ -42,6 +42,18 @@ static int answer_twins(struct worker_answer *answer, const int32_t *twins, int6
     return 0;
 }
 
+/* The strips must hold the mesh's own triangles: peers are only held against them. */
+static int answer_stripify(struct worker_answer *answer, const struct mesh *mesh,
+                           const int32_t *indices, int64_t index_count, struct error *err)
+{
+    struct worker_answer meant = {.hash = 0};
+    answer_triangles(&meant, mesh->triangles, mesh->triangle_count);
+    answer_strips(answer, indices, index_count);
+    return answers_agree(answer, &meant) == 1
+               ? 0
+               : error_set(err, "the strips do not hold the mesh's triangles");
+}
+
 static int answer_call(void *context, struct worker_answer *answer, struct error *err)
 {
     const struct call *call = context;
@@ -57,14 +69,12 @@ static int answer_call(void *context, struct worker_answer *answer, struct error
     else if (strstr(name, "normals"))
         answer_normals(answer, call->output, call->record_count);
     else if (strcmp(name, "stripify") == 0)
-        answer_strips(answer, call->record_count);
+        result = answer_stripify(answer, mesh, call->output, call->record_count, err);
     else if (strcmp(name, "vertex-cache") == 0)
         answer_order(answer, call->output, mesh->triangle_count, mesh->vertex_count);
     else
         answer_count(answer, call->record_count);
     worker_fact(answer, "records", (double)call->record_count);
-    if (strcmp(name, "stripify") == 0)
-        worker_fact(answer, "indices", (double)call->record_count);
     worker_fact(answer, "limit_bytes",
                 (double)call->kernel->moved_bytes(mesh->vertex_count, mesh->triangle_count,
                                                   call->record_count));

@@ -7,6 +7,8 @@
 #include "reference/formats/mesh_file.h"
 
 #include <limits.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 
 struct reading {
@@ -28,9 +30,15 @@ static void reset_reading(void *context)
 static int answer_reading(void *context, struct worker_answer *answer, struct error *err)
 {
     const struct reading *reading = context;
+    const struct mesh *mesh = &reading->mesh;
     struct stat status;
-    (void)err;
-    answer_count(answer, reading->mesh.triangle_count);
+    float *corners = malloc(36 * (size_t)mesh->triangle_count + 1);
+    if (!corners)
+        return error_set(err, "out of memory: corners");
+    for (int64_t i = 0; i < 3 * (int64_t)mesh->triangle_count; i++)
+        memcpy(corners + 3 * i, mesh->positions + 3 * (int64_t)mesh->triangles[i], 12);
+    answer_read_mesh(answer, corners, mesh->triangle_count);
+    free(corners);
     if (stat(reading->path, &status) == 0)
         worker_fact(answer, "file_bytes", (double)status.st_size);
     return 0;

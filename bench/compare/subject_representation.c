@@ -3,6 +3,7 @@
  * Queries ask about a sample of elements, the same for every representation: fewer where the
  * structure must search, so that a call stays short; the fact `queries` says how many. */
 #include "bench/compare/answers.h"
+#include "bench/compare/names.h"
 #include "bench/compare/subject.h"
 
 #include "reference/mesh/random.h"
@@ -36,7 +37,8 @@ struct held {
     int32_t *ring; /* of the vertex with the highest valence */
     int32_t ring_capacity;
     struct query_sample sample;
-    int64_t result; /* of the last operation */
+    struct names names; /* made when an answer is asked for */
+    int64_t result;     /* of the last operation */
     double area;
 };
 
@@ -81,6 +83,11 @@ static int answer_build(void *context, struct worker_answer *answer, struct erro
 /* A turn by 3/5, 4/5 around z, with a step: points stay about where they are, however often. */
 static const float turn[12] = {0.6F, -0.8F, 0, 0.01F, 0.8F, 0.6F, 0, -0.01F, 0, 0, 1, 0};
 
+static int need_names(struct held *held, struct error *err)
+{
+    return held->names.points ? 0 : names_of(&held->names, held->kind, held->self, err);
+}
+
 static int need_moved(struct held *held, struct error *err)
 {
     return held->moved ? 0
@@ -108,7 +115,9 @@ static int answer_moved(struct held *held, bool smooth, struct worker_answer *an
 {
     struct mesh mesh = {0};
     void *self = NULL;
-    int result = representation_new(held->kind, &self, &held->snapshot->mesh, err);
+    int result = need_names(held, err);
+    if (result == 0)
+        result = representation_new(held->kind, &self, &held->snapshot->mesh, err);
     if (result == 0 && smooth)
         result = held->kind->smooth(self, err);
     else if (result == 0)
@@ -116,7 +125,7 @@ static int answer_moved(struct held *held, bool smooth, struct worker_answer *an
     if (result == 0)
         result = held->kind->to_mesh(self, &mesh, err);
     if (result == 0)
-        answer_positions(answer, mesh.positions, mesh.vertex_count);
+        answer_vectors_named(answer, mesh.positions, mesh.vertex_count, held->names.points);
     mesh_release(&mesh);
     representation_delete(held->kind, self);
     return result;
@@ -166,17 +175,26 @@ static int run_vertex_normals(void *context, struct error *err)
 static int answer_face_normals(void *context, struct worker_answer *answer, struct error *err)
 {
     struct held *held = context;
-    (void)err;
-    answer_normals(answer, held->normals, held->kind->face_count(held->self));
+    if (need_names(held, err) != 0)
+        return -1;
+    answer_vectors_named(answer, held->normals, held->names.face_count, held->names.faces);
     return 0;
 }
 
+/* Of each vertex once, where they are not shared too. */
 static int answer_vertex_normals(void *context, struct worker_answer *answer, struct error *err)
 {
     struct held *held = context;
-    (void)err;
-    if (!held->kind->vertex_names) /* otherwise shared vertices come several times */
-        answer_normals(answer, held->normals, held->kind->vertex_count(held->self));
+    if (need_names(held, err) != 0)
+        return -1;
+    const struct names *names = &held->names;
+    float *normals = malloc(12 * (size_t)names->mesh.vertex_count + 1);
+    if (!normals)
+        return error_set(err, "out of memory: normals");
+    for (int32_t v = 0; v < names->mesh.vertex_count; v++)
+        memcpy(normals + 3 * (int64_t)v, held->normals + 3 * (int64_t)names->numbers[v], 12);
+    answer_vectors_named(answer, normals, names->mesh.vertex_count, names->points);
+    free(normals);
     return 0;
 }
 
@@ -190,11 +208,9 @@ static int run_edges(void *context, struct error *err)
 static int answer_edge_list(void *context, struct worker_answer *answer, struct error *err)
 {
     struct held *held = context;
-    (void)err;
-    if (held->kind->vertex_names) /* other numbers: only how many */
-        answer_count(answer, held->result);
-    else
-        answer_edges(answer, held->pairs, held->result);
+    if (need_names(held, err) != 0)
+        return -1;
+    answer_edges_named(answer, held->pairs, held->result, held->names.vertices);
     return 0;
 }
 
@@ -279,15 +295,68 @@ static int compared_count(const struct held *held)
     return (int)(fits < held->sample.count ? fits : held->sample.count);
 }
 
+/* The neighbours of a face, each with the edge to it. */
+static uint64_t neighbours_hash(const struct held *held, int32_t face)
+{
+    const int32_t *corners = held->names.mesh.triangles + 3 * (int64_t)face;
+    int32_t neighbours[3];
+    uint64_t sum = 0;
+    held->kind->face_neighbours(held->self, face, neighbours);
+    for (int side = 0; side < 3; side++) {
+        uint64_t from = held->names.points[corners[side]];
+        uint64_t to = held->names.points[corners[(side + 1) % 3]];
+        uint64_t other = neighbours[side] < 0 ? 0 : held->names.faces[neighbours[side]];
+        sum += answer_mix(answer_mix(answer_mix(from) + to) + other);
+    }
+    return sum;
+}
+
+/* What stands around a vertex, in any order. */
+static uint64_t ring_hash(const struct held *held, enum query query, int32_t vertex)
+{
+    bool of_faces = query == QUERY_FACES_AROUND_VERTEX;
+    const uint64_t *names = of_faces ? held->names.faces : held->names.vertices;
+    int32_t count =
+        (of_faces ? held->kind->faces_around_vertex : held->kind->vertices_around_vertex)(
+            held->self, vertex, held->ring, held->ring_capacity);
+    uint64_t sum = answer_mix((uint64_t)count);
+    for (int32_t i = 0; i < count && i < held->ring_capacity; i++)
+        sum += answer_mix(names[held->ring[i]]);
+    return sum;
+}
+
+/* The answer to one question about the same element in every representation. */
+static uint64_t question_hash(const struct held *held, enum query query, int i)
+{
+    const struct mesh *mesh = &held->snapshot->mesh;
+    const struct query_sample *sample = &held->sample;
+    if (query == QUERY_FACE_NEIGHBOURS) {
+        int32_t face = names_face(&held->names, names_triangle(mesh, sample->faces[i]));
+        return face < 0 ? 0 : neighbours_hash(held, face);
+    }
+    const int32_t asked[2] = {sample->vertices[i], sample->others[i]};
+    int32_t here[2];
+    for (int k = 0; k < 2; k++)
+        here[k] = names_vertex(&held->names,
+                               answer_position_name(mesh->positions + 3 * (int64_t)asked[k]));
+    if (here[0] < 0 || here[1] < 0) /* only triangles are kept, and it is in none */
+        return 0;
+    return query == QUERY_IS_EDGE ? held->kind->is_edge(held->self, here[0], here[1])
+                                  : ring_hash(held, query, here[0]);
+}
+
 static int answer_question(void *context, struct worker_answer *answer, struct error *err)
 {
     const struct question *question = context;
-    const struct held *held = question->held;
-    bool by_face = question->query == QUERY_FACE_NEIGHBOURS; /* faces may be numbered anew */
-    (void)err;
+    struct held *held = question->held;
+    if (need_names(held, err) != 0)
+        return -1;
+    int count = compared_count(held);
+    uint64_t hash = 0;
+    for (int i = 0; i < count; i++)
+        hash = answer_mix(hash + question_hash(held, question->query, i));
+    answer->hash = hash | 1;
     worker_fact(answer, "queries", query_count(held, question->query));
-    if (!held->kind->vertex_names && !by_face)
-        answer_count(answer, ask_many(held, question->query, compared_count(held)));
     return 0;
 }
 
@@ -373,6 +442,7 @@ int serve_representation(const char *name, const struct snapshot *snapshot, FILE
         result = serve_held(&held, &memory, in, out, err);
     representation_delete(held.kind, held.self);
     representation_delete(held.kind, held.moved);
+    names_release(&held.names);
     free(held.fresh);
     worker_memory_release(&memory);
     return result;

@@ -98,24 +98,32 @@ struct state {
         if (!CGAL::IO::read_polygon_mesh(peer::file_beside(path, extension), *fresh))
             throw std::runtime_error("CGAL could not read the file");
     }
+
+    void tell_read(worker_answer &answer)
+    {
+        std::vector<float> corners;
+        for (Mesh::Face_index face : fresh->faces())
+            for (Vertex vertex : fresh->vertices_around_face(fresh->halfedge(face)))
+                for (int k = 0; k < 3; k++)
+                    corners.push_back(static_cast<float>(fresh->point(vertex)[k]));
+        answer_read_mesh(&answer, corners.data(), static_cast<std::int64_t>(corners.size() / 9));
+    }
 };
 
 template <typename Map, typename Range>
-void tell_normals(worker_answer &answer, const Map &map, const Range &range)
+std::vector<float> to_floats(const Map &map, const Range &range)
 {
     std::vector<float> normals;
     for (auto element : range)
         for (int k = 0; k < 3; k++)
             normals.push_back(static_cast<float>(map[element][k]));
-    answer_normals(&answer, normals.data(), static_cast<std::int64_t>(normals.size() / 3));
+    return normals;
 }
 
 peer::operation reading(const std::shared_ptr<state> &s, const char *name, const char *extension)
 {
     return {name, [s, extension] { s->read(extension); }, [s] { s->fresh.reset(); },
-            [s](worker_answer &answer) {
-                answer_count(&answer, static_cast<std::int64_t>(s->fresh->number_of_faces()));
-            }};
+            [s](worker_answer &answer) { s->tell_read(answer); }};
 }
 
 std::vector<peer::operation> make(const snapshot &snapshot, const std::string &path)
@@ -137,13 +145,17 @@ std::vector<peer::operation> make(const snapshot &snapshot, const std::string &p
         {"face-normals",
          [s] { processing::compute_face_normals(s->need_built(), s->face_normals); },
          {},
-         [s](worker_answer &answer) { tell_normals(answer, s->face_normals, s->built->faces()); }},
+         [s](worker_answer &answer) {
+             const auto normals = to_floats(s->face_normals, s->built->faces());
+             answer_normals(&answer, normals.data(), static_cast<std::int64_t>(normals.size() / 3));
+         }},
         {"vertex-normals",
          [s] { processing::compute_vertex_normals(s->need_built(), s->vertex_normals); },
          {},
          [s](worker_answer &answer) {
-             tell_normals(answer, s->vertex_normals, s->built->vertices());
-             answer.tolerance = 0.05; // the most visible direction, ours is weighted by area
+             // the most visible direction, ours is weighted by area
+             const auto normals = to_floats(s->vertex_normals, s->built->vertices());
+             answer_normals_about(&answer, normals.data(), s->from);
          }},
         reading(s, "read-ply-binary", ".ply"),
         reading(s, "read-ply-ascii", ".ascii.ply"),

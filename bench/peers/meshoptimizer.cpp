@@ -42,7 +42,11 @@ std::vector<peer::operation> make(const snapshot &snapshot, const std::string &)
              [s] { s->stripify(); },
              {},
              [s](worker_answer &answer) {
-                 answer_strips(&answer, static_cast<std::int64_t>(s->strip_count));
+                 // ~0u is STRIP_RESTART
+                 std::vector<std::int32_t> indices(s->strip.begin(),
+                                                   s->strip.begin() +
+                                                       static_cast<std::ptrdiff_t>(s->strip_count));
+                 answer_strips(&answer, indices.data(), static_cast<std::int64_t>(indices.size()));
              }},
             {"vertex-cache",
              [s] { s->order(); },

@@ -34,8 +34,8 @@ struct state {
     std::string path;
     std::unique_ptr<Mesh> fresh, built;
     std::vector<std::int32_t> edges;
+    std::unique_ptr<OpenMesh::StripifierT<Mesh>> stripifier;
     double area = 0;
-    std::size_t indices = 0;
 
     Mesh &need_built()
     {
@@ -88,12 +88,30 @@ struct state {
 
     void stripify()
     {
-        OpenMesh::StripifierT<Mesh> stripifier(*built);
-        std::size_t strips = stripifier.stripify();
-        indices = 0;
-        for (const auto &strip : stripifier)
-            indices += strip.size();
-        indices += strips ? strips - 1 : 0; // a restart between two strips
+        stripifier = std::make_unique<OpenMesh::StripifierT<Mesh>>(*built);
+        stripifier->stripify();
+    }
+
+    void tell_strips(worker_answer &answer)
+    {
+        std::vector<std::int32_t> indices;
+        for (const auto &strip : *stripifier) {
+            if (!indices.empty())
+                indices.push_back(STRIP_RESTART);
+            for (auto vertex : strip)
+                indices.push_back(static_cast<std::int32_t>(vertex));
+        }
+        answer_strips(&answer, indices.data(), static_cast<std::int64_t>(indices.size()));
+    }
+
+    void tell_read(worker_answer &answer)
+    {
+        std::vector<float> corners;
+        for (auto face : fresh->faces())
+            for (auto vertex : face.vertices())
+                for (int k = 0; k < 3; k++)
+                    corners.push_back(fresh->point(vertex)[static_cast<std::size_t>(k)]);
+        answer_read_mesh(&answer, corners.data(), static_cast<std::int64_t>(corners.size() / 9));
     }
 
     void read(const std::string &extension)
@@ -107,9 +125,7 @@ struct state {
 peer::operation reading(const std::shared_ptr<state> &s, const char *name, const char *extension)
 {
     return {name, [s, extension] { s->read(extension); }, [s] { s->fresh.reset(); },
-            [s](worker_answer &answer) {
-                answer_count(&answer, static_cast<std::int64_t>(s->fresh->n_faces()));
-            }};
+            [s](worker_answer &answer) { s->tell_read(answer); }};
 }
 
 void tell_normals(worker_answer &answer, const OpenMesh::Vec3f *normals, std::size_t count)
@@ -122,42 +138,41 @@ std::vector<peer::operation> make(const snapshot &snapshot, const std::string &p
     auto s = std::make_shared<state>();
     s->from = &snapshot.mesh;
     s->path = path;
-    return {{"edges-any", [s] { s->list_edges(); }, [s] { s->fresh.reset(); },
-             [s](worker_answer &answer) {
-                 answer_edges(&answer, s->edges.data(),
-                              static_cast<std::int64_t>(s->edges.size() / 2));
-             }},
-            {"twins", [s] { s->build_fresh(); }, [s] { s->fresh.reset(); },
-             [s](worker_answer &answer) { s->tell_neighbours(answer); }},
-            {"area",
-             [s] { s->need_built(), s->sum_area(); },
-             {},
-             [s](worker_answer &answer) { answer_area(&answer, s->area); }},
-            {"face-normals",
-             [s] { s->need_built().update_face_normals(); },
-             {},
-             [s](worker_answer &answer) {
-                 tell_normals(answer, s->built->property(s->built->face_normals_pph()).data(),
-                              s->built->n_faces());
-             }},
-            {"vertex-normals",
-             [s] { s->need_built().update_normals(); },
-             {},
-             [s](worker_answer &answer) {
-                 tell_normals(answer, s->built->property(s->built->vertex_normals_pph()).data(),
-                              s->built->n_vertices());
-                 answer.tolerance = 0.05; // the mean of unit normals, ours is weighted by area
-             }},
-            {"stripify",
-             [s] { s->need_built(), s->stripify(); },
-             {},
-             [s](worker_answer &answer) {
-                 answer_strips(&answer, static_cast<std::int64_t>(s->indices));
-             }},
-            reading(s, "read-ply-binary", ".ply"),
-            reading(s, "read-ply-ascii", ".ascii.ply"),
-            reading(s, "read-obj", ".obj"),
-            reading(s, "read-off", ".off")};
+    return {
+        {"edges-any", [s] { s->list_edges(); }, [s] { s->fresh.reset(); },
+         [s](worker_answer &answer) {
+             answer_edges(&answer, s->edges.data(), static_cast<std::int64_t>(s->edges.size() / 2));
+         }},
+        {"twins", [s] { s->build_fresh(); }, [s] { s->fresh.reset(); },
+         [s](worker_answer &answer) { s->tell_neighbours(answer); }},
+        {"area",
+         [s] { s->need_built(), s->sum_area(); },
+         {},
+         [s](worker_answer &answer) { answer_area(&answer, s->area); }},
+        {"face-normals",
+         [s] { s->need_built().update_face_normals(); },
+         {},
+         [s](worker_answer &answer) {
+             tell_normals(answer, s->built->property(s->built->face_normals_pph()).data(),
+                          s->built->n_faces());
+         }},
+        {"vertex-normals",
+         [s] { s->need_built().update_normals(); },
+         {},
+         [s](worker_answer &answer) {
+             // the mean of unit normals, ours is weighted by area
+             answer_normals_about(&answer,
+                                  s->built->property(s->built->vertex_normals_pph()).data()->data(),
+                                  s->from);
+         }},
+        {"stripify",
+         [s] { s->need_built(), s->stripify(); },
+         {},
+         [s](worker_answer &answer) { s->tell_strips(answer); }},
+        reading(s, "read-ply-binary", ".ply"),
+        reading(s, "read-ply-ascii", ".ascii.ply"),
+        reading(s, "read-obj", ".obj"),
+        reading(s, "read-off", ".off")};
 }
 
 } // namespace

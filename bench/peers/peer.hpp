@@ -11,6 +11,7 @@ extern "C" {
 #include "bench/compare/answers.h"
 #include "bench/compare/snapshot.h"
 #include "bench/measure/worker.h"
+#include "reference/kernels/stripify.h"
 }
 
 #include <cstdint>

@@ -117,9 +117,11 @@ struct state {
         auto *normals = vtkFloatArray::SafeDownCast(array);
         if (!normals)
             throw std::runtime_error("VTK gave no normals");
-        answer_normals(&answer, normals->GetPointer(0), normals->GetNumberOfTuples());
-        if (of_vertices)
-            answer.tolerance = 0.05; // the mean of unit normals, ours is weighted by area
+        if (!of_vertices)
+            answer_normals(&answer, normals->GetPointer(0), normals->GetNumberOfTuples());
+        else if (normals->GetNumberOfTuples() == from->vertex_count)
+            // the mean of unit normals, ours is weighted by area
+            answer_normals_about(&answer, normals->GetPointer(0), from);
     }
 
     void stripify()
@@ -131,13 +133,24 @@ struct state {
         result = filter->GetOutput();
     }
 
-    // Indices with a restart between strips; triangles that stayed alone take three.
+    static void append_strips(vtkCellArray *cells, std::vector<std::int32_t> &indices)
+    {
+        vtkNew<vtkIdList> strip;
+        for (cells->InitTraversal(); cells->GetNextCell(strip);) {
+            if (!indices.empty())
+                indices.push_back(STRIP_RESTART);
+            for (vtkIdType i = 0; i < strip->GetNumberOfIds(); i++)
+                indices.push_back(static_cast<std::int32_t>(strip->GetId(i)));
+        }
+    }
+
+    // Triangles that stayed alone are strips of three.
     void tell_strips(worker_answer &answer)
     {
-        vtkCellArray *strips = result->GetStrips(), *alone = result->GetPolys();
-        vtkIdType parts = strips->GetNumberOfCells() + alone->GetNumberOfCells();
-        answer_strips(&answer, strips->GetNumberOfConnectivityIds() +
-                                   alone->GetNumberOfConnectivityIds() + parts - 1);
+        std::vector<std::int32_t> indices;
+        append_strips(result->GetStrips(), indices);
+        append_strips(result->GetPolys(), indices);
+        answer_strips(&answer, indices.data(), static_cast<std::int64_t>(indices.size()));
     }
 
     template <typename Reader> void read(const std::string &extension)
@@ -153,7 +166,14 @@ struct state {
 
 void tell_read(const std::shared_ptr<state> &s, worker_answer &answer)
 {
-    answer_count(&answer, s->result->GetNumberOfPolys());
+    std::vector<float> corners;
+    vtkNew<vtkIdList> face;
+    vtkCellArray *faces = s->result->GetPolys();
+    for (faces->InitTraversal(); faces->GetNextCell(face);)
+        for (vtkIdType i = 0; i < face->GetNumberOfIds(); i++)
+            for (int k = 0; k < 3; k++)
+                corners.push_back(static_cast<float>(s->result->GetPoint(face->GetId(i))[k]));
+    answer_read_mesh(&answer, corners.data(), static_cast<std::int64_t>(corners.size() / 9));
 }
 
 std::vector<peer::operation> make(const snapshot &snapshot, const std::string &path)
@@ -163,7 +183,7 @@ std::vector<peer::operation> make(const snapshot &snapshot, const std::string &p
     s->path = path;
     s->data = make_poly_data(snapshot.mesh);
     auto forget = [s] { s->result = nullptr; };
-    auto count = [s](worker_answer &answer) { tell_read(s, answer); };
+    auto tell = [s](worker_answer &answer) { tell_read(s, answer); };
     return {{"edges-any", [s] { s->extract_edges(); }, forget,
              [s](worker_answer &answer) { s->tell_edges(answer); }},
             {"twins",
@@ -182,9 +202,9 @@ std::vector<peer::operation> make(const snapshot &snapshot, const std::string &p
              [s](worker_answer &answer) { s->tell_normals(answer, true); }},
             {"stripify", [s] { s->stripify(); }, forget,
              [s](worker_answer &answer) { s->tell_strips(answer); }},
-            {"read-ply-binary", [s] { s->read<vtkPLYReader>(".ply"); }, forget, count},
-            {"read-ply-ascii", [s] { s->read<vtkPLYReader>(".ascii.ply"); }, forget, count},
-            {"read-obj", [s] { s->read<vtkOBJReader>(".obj"); }, forget, count}};
+            {"read-ply-binary", [s] { s->read<vtkPLYReader>(".ply"); }, forget, tell},
+            {"read-ply-ascii", [s] { s->read<vtkPLYReader>(".ascii.ply"); }, forget, tell},
+            {"read-obj", [s] { s->read<vtkOBJReader>(".obj"); }, forget, tell}};
 }
 
 } // namespace

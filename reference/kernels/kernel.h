@@ -1,10 +1,14 @@
 /* The reference kernels: the operations on an indexed mesh that the project times against other
  * libraries and against the machine's limit. Each is one function, kept in several variants:
  *
- *   plain     portable C, always there; the measure of what is right and the grader's yardstick
+ *   plain     portable C, always there; the measure of what is right
  *   avx2      x86-64 vectors of 256 bits    } only where the processor has them,
  *   avx512    x86-64 vectors of 512 bits    } which is asked at run time
  *   threads   the best of these on every CPU that the process may use
+ *
+ * They are for benchmarks. The reference solutions that the grader compiles and holds students
+ * against stand in reference/GROUP/NAME.c and are written for readers;
+ * tests/unit/test_kernels_yardstick.c proves that both give equal answers.
  *
  * All variants of a kernel give the same output bit for bit, except the area (area.h states the
  * bound). To run the plain one on any machine, name it: kernel_find("twins", "plain").

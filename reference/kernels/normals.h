@@ -3,6 +3,7 @@
  * face-normals
  *   Output   3 floats for each triangle: (b - a) x (c - a) made of length 1, computed in
  *            binary64 and rounded once. A triangle without area has (0, 0, 0).
+ *   Source   the cross product of two sides is the textbook's; the kernels are ours
  *   Cost     one pass. 2.5 ns a triangle with AVX-512, 4.5 with AVX2, 6.8 in plain C
  *
  * vertex-normals

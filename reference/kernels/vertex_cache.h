@@ -30,7 +30,9 @@ int64_t vertex_fetch_moved_bytes(int64_t vertex_count, int64_t triangle_count,
                                  int64_t vertex_records);
 
 /* The new number of each vertex, int32_t, by first use; vertices without triangles come last, in
- * their present order. Contract of kernel.h, without scratch; returns vertex_count. Linear. */
+ * their present order. Contract of kernel.h, without scratch; returns vertex_count. Linear.
+ *
+ * Source: ours; renumbering by first use is common practice. */
 int64_t vertex_fetch_plain(const struct mesh *mesh, void *scratch, void *output);
 
 /* Vertices that a cache of cache_size (>= 1), first in first out, does not hold when they are used.

@@ -116,17 +116,82 @@ static void edges_agree_in_any_order(void **state)
     assert_int_equal(answers_agree(&a, &b), 0);
 }
 
+static void strips_agree_when_they_hold_the_same_triangles(void **state)
+{
+    const int32_t long_strip[] = {0, 1, 2, 3}, two[] = {1, 3, 2, -1, 2, 0, 1};
+    const int32_t turned_over[] = {1, 2, 3, -1, 2, 0, 1}, missing[] = {0, 1, 2};
+    const int32_t twice[] = {0, 1, 2, 3, -1, 0, 1, 2};
+    struct worker_answer a = {0}, b = {0};
+    (void)state;
+    answer_strips(&a, long_strip, 4);
+    answer_strips(&b, two, 7);
+    assert_int_equal(answers_agree(&a, &b), 1);
+    assert_string_equal(b.facts, " indices=7");
+    answer_strips(&b, turned_over, 7);
+    assert_int_equal(answers_agree(&a, &b), 0);
+    answer_strips(&b, missing, 3);
+    assert_int_equal(answers_agree(&a, &b), 0);
+    answer_strips(&b, twice, 8);
+    assert_int_equal(answers_agree(&a, &b), 0);
+}
+
+static void read_meshes_agree_in_the_order_of_the_file(void **state)
+{
+    const float one[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1};
+    const float rotated[] = {1, 0, 0, 0, 1, 0, -0.0F, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1};
+    const float turned_over[] = {1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1};
+    const float exchanged[] = {0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const float about[] = {0, 0, 0, 1.0000001F, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1};
+    struct worker_answer a = {0}, b = {0};
+    (void)state;
+    answer_read_mesh(&a, one, 2);
+    answer_read_mesh(&b, rotated, 2);
+    assert_int_equal(answers_agree(&a, &b), 1);
+    answer_read_mesh(&b, turned_over, 2);
+    assert_int_equal(answers_agree(&a, &b), 0);
+    answer_read_mesh(&b, about, 2);
+    assert_int_equal(answers_agree(&a, &b), 0);
+    b.hash = 0;
+    assert_int_equal(answers_agree(&a, &b), 1);
+    answer_read_mesh(&b, exchanged, 2);
+    b.hash = 0;
+    assert_int_equal(answers_agree(&a, &b), 0);
+}
+
+static void normals_of_another_definition_are_near_ours(void **state)
+{
+    float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    int32_t triangles[] = {0, 1, 2};
+    const struct mesh mesh = {
+        .positions = positions, .vertex_count = 3, .triangles = triangles, .triangle_count = 1};
+    const float exact[] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+    const float near_by[] = {0.1F, 0, 0.99F, 0, 0, 1, 0, 0.1F, 0.99F};
+    const float turned[] = {0, 0, 1, 0, 0, 1, 0, 1, 0};
+    struct worker_answer a = {0}, b = {0};
+    (void)state;
+    answer_normals(&a, exact, 3);
+    answer_normals_about(&b, near_by, &mesh);
+    assert_int_equal(answers_agree(&a, &b), 1);
+    answer_normals_about(&b, turned, &mesh);
+    assert_int_equal(answers_agree(&a, &b), 0);
+}
+
 static void normals_and_areas_agree_within_tolerance(void **state)
 {
-    const float one[] = {1, 0, 0, 0, 1, 0}, other[] = {0, 1, 0, 1, 0, 0};
-    const float swapped[] = {0, 0, 1, 0, 1, 0};
+    const float one[] = {1, 0, 0, 0, 1, 0}, other[] = {1, 1e-5F, 0, 0, 1, 0};
+    const float exchanged[] = {0, 1, 0, 1, 0, 0}, turned[] = {0, 0, 1, 0, 1, 0};
     struct worker_answer a = {0}, b = {0}, c = {0};
     (void)state;
     answer_normals(&a, one, 2);
     answer_normals(&b, other, 2);
-    answer_normals(&c, swapped, 2);
     assert_int_equal(answers_agree(&a, &b), 1);
+    answer_normals(&c, exchanged, 2);
     assert_int_equal(answers_agree(&a, &c), 0);
+    answer_normals(&c, turned, 2);
+    assert_int_equal(answers_agree(&a, &c), 0);
+    answer_normals(&c, one, 1);
+    assert_int_equal(answers_agree(&a, &c), 0);
+    a = b = c = (struct worker_answer){0};
     answer_area(&a, 1);
     answer_area(&b, 1 + 1e-8);
     answer_area(&c, 1 + 1e-4);
@@ -193,6 +258,9 @@ int main(void)
         cmocka_unit_test(cold_calls_get_fresh_pages),
         cmocka_unit_test(errors_are_told),
         cmocka_unit_test(edges_agree_in_any_order),
+        cmocka_unit_test(strips_agree_when_they_hold_the_same_triangles),
+        cmocka_unit_test(read_meshes_agree_in_the_order_of_the_file),
+        cmocka_unit_test(normals_of_another_definition_are_near_ours),
         cmocka_unit_test(normals_and_areas_agree_within_tolerance),
         cmocka_unit_test(neighbours_are_told_apart),
         cmocka_unit_test(slowed_samples_are_dropped),
