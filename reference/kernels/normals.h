@@ -14,6 +14,8 @@
  *   Cost     one pass over the triangles, one over the vertices. 4.3 ns a triangle with AVX2,
  *            6.3 in plain C; scrambled 45 to 60 and 54 to 64 (2M triangles, Zen 4)
  *   Source   weighting by area is Gouraud's (1971), as commonly done; the kernels are ours
+ *   AVX-512  has no variant: to keep the order of adding, triangles come one after the other, and a
+ *            sum is four floats wide; nothing would gain by longer vectors
  *   Rejected threads that each own some vertices, the way to keep the order of adding: 4.2 ns on
  *            two threads and scrambled 60, as each must compute nearly all products */
 #ifndef REFERENCE_KERNELS_NORMALS_H
