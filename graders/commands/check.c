@@ -4,6 +4,7 @@
 #include "graders/engine/classroom.h"
 #include "graders/engine/files.h"
 #include "graders/judges/table.h"
+#include "graders/plural.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -84,13 +85,30 @@ static int check(const struct exercise *exercise, const struct upload *upload,
     return result;
 }
 
+/* What grading looks at and this check did not. */
+static void print_left_out(const struct request *request, const json_t *result, bool spanish)
+{
+    const struct judge *judge = judge_find(json_string_value(json_object_get(result, "exercise")));
+    size_t hidden = 0;
+    for (size_t i = 0; judge && i < judge->case_count; i++)
+        hidden += !judge->cases[i].is_public;
+    if (request->all || request->only_case || hidden == 0)
+        return;
+    printf(spanish ? "\nAl corregir hay además %zu caso%s sin publicar%s.\n"
+                   : "\nGrading has %zu further case%s, not public%s.\n",
+           hidden, plural_ending((long long)hidden),
+           !request->quick ? ""
+           : spanish       ? ", y más comprobaciones"
+                           : ", and more checks");
+}
+
 static int show(const struct request *request, json_t *result)
 {
     struct terminal_style style = style_for(stdout, request->language);
-    if (!request->json)
-        terminal_print_result(stdout, result, &style);
-    else if (print_value(result) != 0)
-        return EXIT_FAULT;
+    if (request->json)
+        return print_value(result) != 0 ? EXIT_FAULT : exit_code_of(result);
+    terminal_print_result(stdout, result, &style);
+    print_left_out(request, result, style.spanish);
     return exit_code_of(result);
 }
 

@@ -32,6 +32,19 @@ static int run_once(struct trial *trial, size_t index, const struct input *input
                        err);
 }
 
+/* The limit as its rule: seconds were measured, and would differ between runs. */
+static void explain_cpu_limit(struct attempt *attempt)
+{
+    int multiple = CONFIRMING_MULTIPLE * CPU_LIMIT_MULTIPLE;
+    int least_seconds = CONFIRMING_MULTIPLE * CPU_LIMIT_LEAST_SECONDS;
+    attempt_say(attempt, VERDICT_CPU_TIME, "cpu-limit",
+                "Your function takes more than %d times the CPU time of the reference (and more "
+                "than %d s). It is a loop without end, or far too much work.",
+                "Tu función tarda más de %d veces el tiempo de CPU de la referencia (y más de %d "
+                "s). Es un bucle sin fin o demasiado trabajo.",
+                multiple, least_seconds);
+}
+
 /* A limit of time counts only when a fresh process breaks it again, with a multiple of the time: a
  * slow but finite answer near the limit would otherwise get its verdict from the noise of the
  * machine. After the first limit that counts (`patient`) the short run is left out. */
@@ -48,7 +61,10 @@ static int run_case(struct trial *trial, size_t index, bool patient, struct atte
             return 0;
         attempt_release(attempt);
     }
-    return run_once(trial, index, input, CONFIRMING_MULTIPLE, attempt, err);
+    int result = run_once(trial, index, input, CONFIRMING_MULTIPLE, attempt, err);
+    if (result == 0 && attempt->verdict == VERDICT_CPU_TIME)
+        explain_cpu_limit(attempt);
+    return result;
 }
 
 static void remember_surroundings(struct trial *trial, const struct attempt *attempt)

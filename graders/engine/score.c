@@ -272,7 +272,7 @@ static json_t *summary_json(const struct decision *decision)
 {
     char english[900], spanish[900];
     if (decision->verdict == VERDICT_PASSED)
-        return phrase_json("Passed.", "Correcto.");
+        return phrase_json("Passed.", "Superado.");
     if (decision->case_name) {
         snprintf(english, sizeof english, "%s (case %s)", decision->english, decision->case_name);
         snprintf(spanish, sizeof spanish, "%s (caso %s)", decision->spanish, decision->case_name);

@@ -26,7 +26,7 @@ static const struct {
                                 "el trabajo crece demasiado"},
     [VERDICT_TOO_MUCH_WORK] = {"too-much-work", "too much work", "demasiado trabajo"},
     [VERDICT_TOO_MUCH_MEMORY] = {"too-much-memory", "too much memory", "demasiada memoria"},
-    [VERDICT_PASSED] = {"passed", "passed", "correcto"},
+    [VERDICT_PASSED] = {"passed", "passed", "superado"},
     [VERDICT_NOT_MEASURED] = {"not-measured", "not measured", "no medido"},
     [VERDICT_NOT_REACHED] = {"not-reached", "not reached", "no alcanzado"},
 };

@@ -10,11 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    CPU_LIMIT_MULTIPLE = 20,
-    EXTRA_DOUBLINGS = 2 /* when the first sizes leave the growth undecided */
-};
-static const int64_t CPU_LIMIT_LEAST_NS = 1000000000;
+enum { EXTRA_DOUBLINGS = 2 /* when the first sizes leave the growth undecided */ };
 static const uint64_t SIZED_SEED = 20260411;
 static const struct call_limits reference_limits = {60000000000LL, 10000000000LL};
 
@@ -100,7 +96,8 @@ int yardstick_sized(struct yardstick *yardstick, int family, int size_index,
 int64_t yardstick_cpu_limit_ns(const struct yardstick *yardstick, size_t index)
 {
     int64_t multiple = yardstick->reference_cpu_ns[index] * CPU_LIMIT_MULTIPLE;
-    return multiple > CPU_LIMIT_LEAST_NS ? multiple : CPU_LIMIT_LEAST_NS;
+    int64_t least = CPU_LIMIT_LEAST_SECONDS * INT64_C(1000000000);
+    return multiple > least ? multiple : least;
 }
 
 /* --------------------------------------------------------------- reference */

@@ -72,6 +72,8 @@ int yardstick_make_cases(struct yardstick *yardstick, bool public_only,
 int yardstick_sized(struct yardstick *yardstick, int family, int size_index,
                     const struct input **input, struct error *err) MUST_CHECK;
 
+enum { CPU_LIMIT_MULTIPLE = 20, CPU_LIMIT_LEAST_SECONDS = 1 };
+
 /* CPU time that a submission may take for a case: a generous multiple of the reference's. */
 int64_t yardstick_cpu_limit_ns(const struct yardstick *yardstick, size_t index);
 

@@ -38,7 +38,7 @@ static void write_legend(struct html *page, const json_t *scene)
     html_open(page, "ul");
     html_attribute(page, "class", "legend");
     if (json_integer_value(ok_count) > 0)
-        write_legend_entry(page, "ok", (struct words){"right", "bien"},
+        write_legend_entry(page, "ok", (struct words){"right", "correcta"},
                            json_integer_value(ok_count));
     for (size_t i = 0; i < sizeof mark_words / sizeof *mark_words; i++) {
         json_int_t count = json_integer_value(json_object_get(counts, mark_words[i].kind));

@@ -152,9 +152,9 @@ static void put_row(FILE *to, const struct terminal_style *style, enum outcome o
     fputs(words_symbol(outcome), to);
     terminal_plain(to, style);
     fputc(' ', to);
-    terminal_cell(to, words_choose(title, style->spanish), 40, false);
+    terminal_cell(to, words_choose(title, style->spanish), 37, false);
     fputs("  ", to);
-    terminal_cell(to, middle, 20, false);
+    terminal_cell(to, middle, 23, false);
     fputs("  ", to);
     terminal_cell(to, points, 11, true);
     fputc('\n', to);

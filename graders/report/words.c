@@ -95,7 +95,7 @@ const char *words_choose(struct words words, bool spanish)
 
 void words_of_slug(const char *slug, char *text, size_t capacity)
 {
-    snprintf(text, capacity, "%s", slug);
+    snprintf(text, capacity, "%s", strcmp(slug, "self-edge") == 0 ? "degenerate-edge" : slug);
     for (char *c = text; *c; c++)
         if (*c == '-')
             *c = ' ';

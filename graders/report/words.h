@@ -36,7 +36,8 @@ enum outcome words_outcome(const char *verdict);
 struct words words_of_outcome(enum outcome outcome);
 const char *words_symbol(enum outcome outcome);
 
-/* A slug as words: "duplicate-edge" becomes "duplicate edge". Writes at most `capacity` bytes. */
+/* A slug as words: "duplicate-edge" becomes "duplicate edge"; a "self-edge" is told as the
+ * "degenerate edge" that its mark shows. Writes at most `capacity` bytes. */
 void words_of_slug(const char *slug, char *text, size_t capacity);
 
 /* A cause for people: "duplicate edge", "arista duplicada" for "duplicate-edge"; a verdict's words

@@ -142,10 +142,7 @@ struct words words_cause(const char *slug, char *text, size_t capacity)
 {
     if (words_know_verdict(slug))
         return words_verdict(slug);
-    snprintf(text, capacity, "%s", slug);
-    for (char *c = text; *c; c++)
-        if (*c == '-')
-            *c = ' ';
+    words_of_slug(slug, text, capacity);
     const struct translation *found =
         bsearch(slug, causes, sizeof causes / sizeof *causes, sizeof *causes, by_english);
     return (struct words){text, found ? found->spanish : text};

@@ -26,6 +26,21 @@ ok "the command of line 3 shows the same mistake" [ "$(head -n 1 "$scratch/again
 ok "it speaks Spanish" matches "$scratch/es" 'falta la arista'
 
 ok "a right answer ends with exit code 0" exits_with 0 "$meshgrade" check edge-table-any "$edges/right/sort.c" --quick
+"$meshgrade" check edge-table-any "$edges/right/sort.c" --quick >"$scratch/public"
+ok "and it says that grading has further cases" matches "$scratch/public" '^Grading has [0-9]+ further cases?, not public'
+"$meshgrade" check edge-table-any --lang es --quick "$edges/right/sort.c" >"$scratch/public-es"
+ok "in Spanish too" matches "$scratch/public-es" '^Al corregir hay además [0-9]+ casos? sin publicar'
+cat >"$scratch/endless.c" <<'C'
+#include "edge-table-any.h"
+int64_t edge_table_any(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count, int32_t **edges)
+{
+    (void)triangles, (void)vertex_count, (void)edges;
+    for (volatile int32_t i = 0;; i = triangle_count) {
+    }
+}
+C
+"$meshgrade" check edge-table-any "$scratch/endless.c" --case tetrahedron >"$scratch/endless"
+ok "a limit of CPU time is told as its rule" matches "$scratch/endless" 'more than 60 times the CPU time of the reference'
 "$meshgrade" check edge-table-any --json "$edges/right/hash-table.c" >"$scratch/right.json"
 ok "the result of a right answer is whole" python3 - "$scratch/right.json" <<'P'
 import json, sys

@@ -241,6 +241,8 @@ static void test_causes_and_elements_are_in_both_languages(void **state)
     char text[80];
     assert_string_equal(words_cause("fence-post", text, sizeof text).en, "fence post");
     assert_string_equal(words_cause("byte-a-cell", text, sizeof text).es, "un byte por celda");
+    assert_string_equal(words_cause("self-edge", text, sizeof text).en, "degenerate edge");
+    assert_string_equal(words_cause("self-edge", text, sizeof text).es, "arista degenerada");
     assert_string_equal(words_cause("abort", text, sizeof text).es, "abort o assert");
     assert_string_equal(words_cause("wrong-ratio", text, sizeof text).es, "cociente incorrecto");
     assert_string_equal(words_cause("leak", text, sizeof text).es, "fuga de memoria");

@@ -62,8 +62,8 @@ static void test_three_lines_say_what_where_and_how(void **state)
         "  where   edge 41 (0,17), case disc (Open meshes)\n"
         "  again   meshgrade check edge-table-any FILE... --case disc\n\n"
         "4.5 (a) Edge table of any mesh                                           8 / 10\n"
-        "  ✓ Closed meshes                             2 of 2 cases                2 / 2\n"
-        "  ✗ Open meshes                               1 of 3 cases                0 / 2\n";
+        "  ✓ Closed meshes                          2 of 2 cases                   2 / 2\n"
+        "  ✗ Open meshes                            1 of 3 cases                   0 / 2\n";
     if (strncmp(text, start, strlen(start)) != 0)
         fail_msg("got:\n%s", text);
     assert_non_null(strstr(text, "Other rejected cases\n  grid-hole: Edge (12,25)"));
