@@ -4,6 +4,7 @@
  *  - isolated triangles process each vertex about 6 times, strips close to 2 times, an indexed mesh
  *    once (000, 002); for large grids an indexed mesh takes 3/2 of the memory of strips, and strips
  *    process twice as many vertices (problem 4.3);
+ *  - the bytes of spheres and grids that problems 4.1 to 4.3 ask for, measured on built ones;
  *  - to ask an indexed mesh whether two vertices are adjacent is to look at all triangles (000,
  * 002);
  *  - the accesses of the queries on winged edges (001), counted (counted_winged_edge.h).
@@ -51,6 +52,11 @@ int claims_about_mesh(struct claims *claims, const char *name, const struct mesh
                       struct error *err) MUST_CHECK;
 int claims_about_accesses(struct claims *claims, const char *name, const struct polygons *polygons,
                           struct error *err) MUST_CHECK;
+
+/* The sizes of problems 4.1 to 4.3, in KB of 1024 bytes, and the k from which on a mesh of the
+ * sphere takes less than its voxels. Builds them; some tenths of a second. Returns 0, or -1 and
+ * *err. */
+int claims_about_sizes(struct claims *claims, struct error *err) MUST_CHECK;
 
 /* The rows as in bench.json (README.md). The caller owns the array. NULL: out of memory. */
 json_t *claims_to_json(const struct claims *claims);

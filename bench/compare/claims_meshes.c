@@ -144,7 +144,8 @@ static void group_by_claim(struct claims *claims)
 
 int claims_collect(struct claims *claims, const char *models, struct error *err)
 {
-    if (about_models(claims, models, err) || about_generated(claims, err))
+    if (about_models(claims, models, err) || about_generated(claims, err) ||
+        claims_about_sizes(claims, err))
         return -1;
     for (int32_t sides = 4; sides <= PRISM_MOST; sides *= 2)
         if (about_prism(claims, sides, err))

@@ -166,6 +166,29 @@ static void one_triangle_is_no_large_mesh(void **state)
     claims_release(&claims);
 }
 
+/* Heap blocks are up to a page larger than what was asked for. */
+static void sizes_are_those_of_the_problems(void **state)
+{
+    static const struct {
+        const char *name, *mesh;
+        double claimed, off;
+    } sizes[] = {{"voxel-sphere-bytes", "sphere-k16", 0.5, 0.02},
+                 {"mesh-sphere-bytes", "sphere-k16", 9, 0.1},
+                 {"mesh-beats-voxels-from", "sphere", 288, 2},
+                 {"indexed-grid-bytes", "grid-128x128", 579.01, 8.1},
+                 {"strips-grid-bytes", "grid-128x128", 388, 4}};
+    (void)state;
+    struct claims claims = {0};
+    assert_int_equal(claims_about_sizes(&claims, NULL), 0);
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const struct claim *claim = find(&claims, sizes[i].name, sizes[i].mesh);
+        assert_true(claim->claimed == sizes[i].claimed && claim->holds);
+        if (fabs(claim->measured - claim->claimed) > sizes[i].off)
+            fail_msg("%s is %g", claim->name, claim->measured);
+    }
+    claims_release(&claims);
+}
+
 static void all_claims_are_collected(void **state)
 {
     (void)state;
@@ -203,6 +226,7 @@ int main(void)
         cmocka_unit_test(accesses_grow_with_faces_and_valences),
         cmocka_unit_test(ratios_of_a_grid_are_known),
         cmocka_unit_test(one_triangle_is_no_large_mesh),
+        cmocka_unit_test(sizes_are_those_of_the_problems),
         cmocka_unit_test(all_claims_are_collected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
