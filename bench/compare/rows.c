@@ -242,11 +242,16 @@ static void add_facts(const struct row *row, json_t *object)
             json_object_set_new(facts, told[i], json_integer((json_int_t)value));
     }
     json_object_set_new(object, "facts", facts);
-    json_object_set_new(
-        object, "bytes_per_triangle",
-        bytes >= 0 && formula >= 0
-            ? json_pack("{s:f, s:f}", "formula", formula / triangles, "measured", bytes / triangles)
-            : json_null());
+    double live = number(
+        counts_find(row->all->journal, row->all->job->name, row->contender->name, row->operation),
+        "live_bytes");
+    if (bytes < 0 || formula < 0)
+        json_object_set_new(object, "bytes_per_triangle", json_null());
+    else
+        json_object_set_new(object, "bytes_per_triangle",
+                            json_pack("{s:f, s:f, s:s}", "formula", formula / triangles, "measured",
+                                      (live > 0 ? live : bytes) / triangles, "by",
+                                      live > 0 ? "heap" : "tables"));
 }
 
 /* Whether the first block's answer is that of the contender that it is held against. */
