@@ -245,8 +245,8 @@ static int reject_area(const struct mesh_view *view, double area, struct judgeme
         judge_reject(
             out, area < 0 ? "negative-area" : "wrong-area",
             "the area is %.9g instead of %.9g: relative error %.2g, allowed 1e-06.%s%.0s",
-            "el área es %.9g en lugar de %.9g: error relativo %.2g, permitido 1e-06.%.0s%s",
-            area, sums.exact, error, guess.english, guess.spanish);
+            "el área es %.9g en lugar de %.9g: error relativo %.2g, permitido 1e-06.%.0s%s", area,
+            sums.exact, error, guess.english, guess.spanish);
     else
         judge_reject(out, "wrong-area", "the area is %.9g, but there is no area: it must be 0",
                      "el área es %.9g, pero no hay área ninguna: debe ser 0", area);
