@@ -37,6 +37,21 @@ P
 ok "the tool makes each kind of mutant, and none in comments, texts and the last return" [ $? -eq 0 ]
 sed 's/^/# /' "$scratch/kinds"
 
+python3 - "$scratch" >"$scratch/survivor" 2>&1 <<'P'
+import importlib.machinery, importlib.util, pathlib, sys, types
+loader = importlib.machinery.SourceFileLoader("mutants_run", "tests/mutants/run")
+run = importlib.util.module_from_spec(importlib.util.spec_from_loader("mutants_run", loader))
+loader.exec_module(run)
+case = lambda verdict, i: types.SimpleNamespace(exercise="e", original="o.c", before="b%d" % i, after="a", verdict=verdict)
+caught, survivor = [case("wrong-answer", i) for i in range(999)], case("passed", 999)
+out = pathlib.Path(sys.argv[1])
+assert run.report(caught, {}, {}, out), "all caught"
+assert not run.report(caught + [survivor], {}, {}, out), "99.9 % and a survivor that nobody explained"
+assert run.report(caught + [survivor], {("o.c", "b999", "a"): "the same"}, {}, out), "explained"
+P
+ok "a survivor that nobody explained fails the run, whatever the score" [ $? -eq 0 ]
+grep -A9 Traceback "$scratch/survivor" | sed 's/^/# /'
+
 if [ -x "$judge" ]; then
     tests/mutants/run --program "$judge" --quick --only tests/mutants/handful.txt --out "$scratch/mutants" >"$scratch/table"
     code=$?
