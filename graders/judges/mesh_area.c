@@ -50,6 +50,14 @@ static struct vector normal_of(const struct mesh_view *view, int32_t triangle)
     return cross(side(a, position_of(view, triangle, 1)), side(a, position_of(view, triangle, 2)));
 }
 
+enum area_facing mesh_area_facing(const struct mesh_view *view, int32_t triangle)
+{
+    struct vector normal = normal_of(view, triangle);
+    if (!(length(normal) > 0))
+        return AREA_FLAT;
+    return normal.z > 0 ? AREA_UPWARDS : AREA_NOT_UPWARDS;
+}
+
 double mesh_area_exact(const struct mesh_view *view)
 {
     struct sum sum = {0};

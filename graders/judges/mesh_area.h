@@ -22,6 +22,10 @@ struct area_sums {
 /* The exact area only; the error is below 10^-12 of it, needles included. O(F). */
 double mesh_area_exact(const struct mesh_view *view);
 
+/* Which way a triangle faces, for pictures. */
+enum area_facing { AREA_FLAT, AREA_UPWARDS, AREA_NOT_UPWARDS };
+enum area_facing mesh_area_facing(const struct mesh_view *view, int32_t triangle);
+
 /* All sums. */
 struct area_sums mesh_area_sums(const struct mesh_view *view);
 

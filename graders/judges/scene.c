@@ -96,6 +96,30 @@ int scene_set_voxels(struct scene *scene, const uint8_t *bits, int32_t voxels_pe
     return 0;
 }
 
+int scene_set_wrong_voxels(struct scene *scene, const uint8_t *wrong_bits, int64_t named,
+                           struct error *err)
+{
+    size_t side = (size_t)scene->voxels_per_side;
+    size_t bytes = (side * side * side + 7) / 8;
+    uint8_t *copy = malloc(bytes + 1);
+    if (!copy)
+        return error_set(err, "out of memory for %d voxels a side", scene->voxels_per_side);
+    memcpy(copy, wrong_bits, bytes);
+    free(scene->wrong_voxel_bits);
+    scene->wrong_voxel_bits = copy;
+    scene->named_voxel = named + 1;
+    return 0;
+}
+
+void scene_add_fact(struct scene *scene, const char *name, const char *value)
+{
+    if (scene->fact_count == SCENE_FACT_LIMIT)
+        return;
+    struct fact *fact = &scene->facts[scene->fact_count++];
+    snprintf(fact->name, sizeof fact->name, "%s", name);
+    snprintf(fact->value, sizeof fact->value, "%s", value);
+}
+
 static int check_curve(const double *x, const double *y, int point_count, struct error *err)
 {
     if (point_count < 0)
@@ -203,6 +227,7 @@ void scene_release(struct scene *scene)
         free(scene->strips[i].positions);
     free(scene->strips);
     free(scene->voxel_bits);
+    free(scene->wrong_voxel_bits);
     for (int i = 0; i < scene->curve_count; i++) {
         free(scene->curves[i].x);
         free(scene->curves[i].y);

@@ -53,7 +53,12 @@ struct curve {
     double exponent; /* fitted growth, 0 when none was fitted */
 };
 
-enum { SCENE_MARK_LIMIT = 1200, SCENE_CURVE_LIMIT = 6 };
+/* A number that the legend tells: "expected" and "6", say. */
+struct fact {
+    char name[24], value[32];
+};
+
+enum { SCENE_MARK_LIMIT = 1200, SCENE_CURVE_LIMIT = 6, SCENE_FACT_LIMIT = 4 };
 
 struct scene {
     enum scene_kind kind;
@@ -68,9 +73,13 @@ struct scene {
     uint8_t
         *voxel_bits; /* k*k*k bits, cell (x,y,z) is bit number x + k * (y + k * z), low bit first */
     int32_t voxels_per_side;
+    uint8_t *wrong_voxel_bits; /* the same cells: 1 where voxel_bits is wrong; NULL: not told */
+    int64_t named_voxel;       /* number of the cell that the verdict names, plus 1; 0: none */
     struct curve curves[SCENE_CURVE_LIMIT];
     int curve_count;
     char x_label[48], y_label[48];
+    struct fact facts[SCENE_FACT_LIMIT];
+    int fact_count;
 };
 
 /* Each adds to a scene that starts zeroed and copies what it is given; on -1 (out of memory, an
@@ -84,6 +93,11 @@ int scene_add_strip(struct scene *scene, const float *positions, int64_t vertex_
                     struct error *err);
 int scene_set_voxels(struct scene *scene, const uint8_t *bits, int32_t voxels_per_side,
                      struct error *err);
+/* Tells which cells of the voxels that were set are wrong, and which one the verdict names. */
+int scene_set_wrong_voxels(struct scene *scene, const uint8_t *wrong_bits, int64_t named,
+                           struct error *err);
+/* Adds a number to the legend; texts that are too long are cut, facts above the limit dropped. */
+void scene_add_fact(struct scene *scene, const char *name, const char *value);
 int scene_add_curve(struct scene *scene, const char *name, const double *x, const double *y,
                     int point_count, double exponent, struct error *err);
 /* Marks may come before or after the mesh; those that name no vertex of it are counted, not kept.

@@ -154,7 +154,20 @@ static int add_voxels(json_t *json, const struct scene *scene)
     json_t *voxels =
         json_pack("{s:i, s:o}", "per_side", (int)shown, "bits", json_base64(bits, bytes));
     free(bits);
+    if (voxels && scene->wrong_voxel_bits && shown == side) {
+        json_object_set_new(voxels, "wrong", json_base64(scene->wrong_voxel_bits, bytes));
+        json_object_set_new(voxels, "named", json_integer(scene->named_voxel - 1));
+    }
     return json_object_set_new(json, "voxels", voxels);
+}
+
+static int add_facts(json_t *json, const struct scene *scene)
+{
+    json_t *facts = json_array();
+    for (int i = 0; facts && i < scene->fact_count; i++)
+        json_array_append_new(facts, json_pack("{s:s, s:s}", "name", scene->facts[i].name, "value",
+                                               scene->facts[i].value));
+    return json_object_set_new(json, "facts", facts);
 }
 
 static json_t *numbers_to_json(const double *numbers, int count)
@@ -201,6 +214,8 @@ json_t *scene_to_json(const struct scene *scene)
     int failed = 0;
     if (scene->kind >= SCENE_MESH && scene->kind <= SCENE_VOXELS)
         failed |= add_mesh(json, scene) | add_counts(json, scene);
+    if (scene->fact_count > 0)
+        failed |= add_facts(json, scene);
     if (scene->kind == SCENE_STRIPS)
         failed |= add_strips(json, scene);
     if (scene->kind == SCENE_VOXELS)

@@ -263,5 +263,9 @@ std::vector<legend_entry> mark_legend(const scene &from)
                                        draw_edge_swatch(sheet, at, width, kind);
                                }});
     }
+    for (const fact &one : from.facts)
+        entries.push_back({one.name, one.value, [](paper &sheet, point2 at, double) {
+                               sheet.disc(at, 2.5, palette::grey_ink);
+                           }});
     return entries;
 }

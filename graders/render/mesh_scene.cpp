@@ -48,6 +48,15 @@ std::vector<legend_entry> legend_of(const scene &from, const shape &mesh, const 
     return entries;
 }
 
+/* Then any view shows faults, and the usual one also what is right beside them. */
+bool most_is_at_fault(const scene &from)
+{
+    int64_t count = 0;
+    for (int kind = 0; kind < mark_kind_count; kind++)
+        count += kind == boundary ? 0 : from.mark_counts[kind];
+    return count > 8 && count > int64_t(from.mesh.triangles.size() / 4);
+}
+
 /* Which vertices have their numbers beside them: all of few, else those of the first mark. */
 std::vector<size_t> labelled_vertices(const scene &from, const shape &mesh)
 {
@@ -92,7 +101,8 @@ image draw_mesh(const scene &from, picture_size size)
     shape mesh(unit_box(from.mesh.points).apply(from.mesh.points), from.mesh.triangles);
     canvas target(size.width, size.height, backdrop::gradient);
     std::vector<place> surface = sample_surface(mesh.points, mesh.triangles);
-    view look = best_view(surface, places_of_marks(mesh, from.marks));
+    view look = best_view(surface, most_is_at_fault(from) ? std::vector<place>()
+                                                          : places_of_marks(mesh, from.marks));
     depth_grid depths(surface, look);
     std::vector<legend_entry> legend = legend_of(from, mesh, look, depths);
     std::optional<close_up> inset = choose_close_up(from, mesh, look, depths);

@@ -115,6 +115,21 @@ void read_voxels(const json_t *json, scene &out)
     int64_t side = integer_at(voxels, "per_side", voxel_side_limit, "voxels a side");
     out.voxel_bits = bytes_at(voxels, "bits", size_t((side * side * side + 7) / 8));
     out.voxels_per_side = int(side);
+    if (!json_object_get(voxels, "wrong"))
+        return;
+    out.wrong_bits = bytes_at(voxels, "wrong", size_t((side * side * side + 7) / 8));
+    json_int_t named = json_integer_value(json_object_get(voxels, "named"));
+    out.named_voxel = named >= 0 && named < side * side * side ? int(named) : -1;
+}
+
+void read_facts(const json_t *json, scene &out)
+{
+    const size_t limit = 8;
+    const json_t *facts = json_object_get(json, "facts");
+    for (size_t i = 0; i < json_array_size(facts) && i < limit; i++) {
+        const json_t *from = json_array_get(facts, i);
+        out.facts.push_back({text_at(from, "name"), text_at(from, "value")});
+    }
 }
 
 /* Whether a number has a place on the axes of a chart. */
@@ -193,6 +208,7 @@ void read_scene(const std::string &path, scene &out)
     if (const json_t *mesh = json_object_get(json.get(), "mesh"))
         read_mesh(mesh, out.mesh);
     read_marks(json.get(), out);
+    read_facts(json.get(), out);
     if (out.kind == scene_kind::strips)
         read_strips(json.get(), out);
     if (out.kind == scene_kind::voxels)

@@ -39,6 +39,11 @@ struct curve {
     double exponent = 0;      /* 0: none was fitted */
 };
 
+/* A number that the legend tells. */
+struct fact {
+    std::string name, value;
+};
+
 struct scene {
     scene_kind kind = scene_kind::none;
     std::string title, subtitle;
@@ -50,6 +55,9 @@ struct scene {
     std::vector<std::vector<vec3>> strips;
     int voxels_per_side = 0;
     std::vector<uint8_t> voxel_bits;
+    std::vector<uint8_t> wrong_bits; /* of the same cells; empty: not told */
+    int named_voxel = -1;            /* number of the cell that the verdict names */
+    std::vector<fact> facts;
     std::vector<curve> curves;
     std::string x_label, y_label;
     figure shown; /* panels, bars, heat map, diagram; what else stands beside voxels */
@@ -57,11 +65,21 @@ struct scene {
 
     bool voxel(int x, int y, int z) const /* false outside */
     {
+        return bit_of(voxel_bits, x, y, z);
+    }
+    bool wrong_voxel(int x, int y, int z) const
+    {
+        return !wrong_bits.empty() && bit_of(wrong_bits, x, y, z);
+    }
+
+  private:
+    bool bit_of(const std::vector<uint8_t> &bits, int x, int y, int z) const
+    {
         if (x < 0 || y < 0 || z < 0 || x >= voxels_per_side || y >= voxels_per_side ||
             z >= voxels_per_side)
             return false;
         size_t bit = x + size_t(voxels_per_side) * (y + size_t(voxels_per_side) * z);
-        return voxel_bits[bit / 8] >> bit % 8 & 1;
+        return bits[bit / 8] >> bit % 8 & 1;
     }
 };
 

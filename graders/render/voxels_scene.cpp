@@ -29,6 +29,8 @@ struct cell {
     int axis[3];
 };
 
+const colour full_paint = {120, 176, 222};
+
 bool full(const scene &from, cell at)
 {
     return from.voxel(at.axis[0], at.axis[1], at.axis[2]);
@@ -80,7 +82,8 @@ void add_side(voxel_faces &faces, const cube_side &one, double per_side, const c
 
 void add_face(voxel_faces &faces, const scene &from, cell at, int axis, int direction)
 {
-    const colour paint = {120, 176, 222};
+    bool wrong = from.wrong_voxel(at.axis[0], at.axis[1], at.axis[2]);
+    const colour paint = wrong ? palette::marks[extra] : full_paint;
     int u = (axis + 1) % 3, v = (axis + 2) % 3;
     cell front = at;
     front.axis[axis] += direction;
@@ -155,6 +158,115 @@ vtkSmartPointer<vtkActor> voxel_actor(const voxel_faces &faces)
     return actor.Get();
 }
 
+/* Frames of cells: of those that are empty and should be full, and of the named one. */
+struct cell_frames {
+    solids missing, named;
+    int64_t missing_count = 0, extra_count = 0;
+    vec3 named_middle;
+};
+
+cell cell_of(int number, int side)
+{
+    return {{number % side, number / side % side, number / side / side}};
+}
+
+/* The lowest corner of a cell, or of the cell after the last, moved aside. */
+vec3 corner_of(cell at, int side, vec3 aside)
+{
+    double scale = 1 / (side * std::sqrt(3.0)), half = side / 2.0;
+    return vec3{at.axis[0] - half, at.axis[1] - half, at.axis[2] - half} * scale + aside;
+}
+
+/* The twelve edges of a cube. */
+void add_frame(solids &out, vec3 low, double side, double radius)
+{
+    for (int i = 0; i < 8; i++)
+        for (int axis = 0; axis < 3; axis++) {
+            if (i >> axis & 1)
+                continue;
+            auto corner = [&](int bits) {
+                return low + vec3{bits & 1 ? side : 0, bits & 2 ? side : 0, bits & 4 ? side : 0};
+            };
+            out.tube(corner(i), corner(i | 1 << axis), radius);
+        }
+}
+
+cell_frames frames_of(const scene &from, vec3 aside, double units)
+{
+    const size_t most_frames = 600;
+    cell_frames frames;
+    int side = from.voxels_per_side;
+    double size = 1 / (side * std::sqrt(3.0));
+    double radius = std::clamp(.03 * size, .6 / units, 1.6 / units);
+    for (int i = 0; i < side * side * side && !from.wrong_bits.empty(); i++) {
+        cell at = cell_of(i, side);
+        if (!from.wrong_voxel(at.axis[0], at.axis[1], at.axis[2]))
+            continue;
+        bool is_full = full(from, at);
+        (is_full ? frames.extra_count : frames.missing_count)++;
+        if (!is_full && size_t(frames.missing_count) <= most_frames)
+            add_frame(frames.missing, corner_of(at, side, aside), size, radius);
+    }
+    if (from.named_voxel >= 0) {
+        vec3 low = corner_of(cell_of(from.named_voxel, side), side, aside);
+        add_frame(frames.named, low, size, 2 * radius);
+        frames.named_middle = low + vec3{size / 2, size / 2, size / 2};
+    }
+    return frames;
+}
+
+void add_frames(canvas &target, const cell_frames &frames)
+{
+    colour red = palette::marks[missing];
+    if (!frames.missing.empty()) {
+        target.world()->AddActor(frames.missing.actor(red, finish::lit));
+        target.front()->AddActor(frames.missing.actor(red.with_alpha(.2), finish::ghost));
+    }
+    if (!frames.named.empty()) {
+        target.world()->AddActor(frames.named.actor(palette::ink, finish::lit));
+        target.front()->AddActor(frames.named.actor(palette::ink.with_alpha(.5), finish::ghost));
+    }
+}
+
+/* From the side of the named cell. */
+view look_of(const scene &from)
+{
+    if (from.named_voxel < 0)
+        return {};
+    view usual;
+    int side = from.voxels_per_side;
+    cell at = cell_of(from.named_voxel, side);
+    vec3 middle = vec3{at.axis[0] + .5, at.axis[1] + .5, at.axis[2] + .5} -
+                  vec3{side / 2.0, side / 2.0, side / 2.0};
+    vec3 level = {middle.x, middle.y, 0};
+    double elevation = middle.z < -.25 * side ? -22 : 22;
+    if (length(level) == 0 || dot(level, usual.toward) >= 0)
+        return view(-55, elevation);
+    for (double azimuth : {35.0, 125.0, 215.0})
+        if (dot(level, view(azimuth, 22).toward) > .6 * length(level))
+            return view(azimuth, elevation);
+    return view(125, elevation);
+}
+
+std::vector<legend_entry> voxel_legend(const scene &from, const voxel_faces &faces,
+                                       const cell_frames &frames)
+{
+    std::vector<legend_entry> entries = mark_legend(from);
+    auto add = [&entries](const char *name, int64_t count, colour paint) {
+        entries.push_back(patch_entry(name, paint));
+        entries.back().count = grouped(count);
+        entries.back().muted = false;
+    };
+    if (from.wrong_bits.empty())
+        return entries;
+    add("rightly full", faces.full_count - frames.extra_count, full_paint);
+    if (frames.extra_count > 0)
+        add("full, but outside", frames.extra_count, palette::marks[extra]);
+    if (frames.missing_count > 0)
+        add("empty, but inside", frames.missing_count, palette::marks[missing]);
+    return entries;
+}
+
 void move_all(std::vector<vec3> &points, vec3 by)
 {
     for (vec3 &p : points)
@@ -223,7 +335,9 @@ std::vector<exhibit> exhibits_of(const scene &from, const voxel_faces &voxels, c
     bool boxes = !from.shown.boxes.empty(), mesh = !from.mesh.points.empty();
     size_t count = 1 + boxes + mesh;
     std::vector<exhibit> all;
-    all.push_back({aside_of(0, count, look), k + " × " + k + " × " + k + " voxels",
+    bool answer = !from.wrong_bits.empty();
+    all.push_back({aside_of(0, count, look),
+                   k + " × " + k + " × " + k + " voxels" + (answer ? " of the answer" : ""),
                    from.cut ? grouped(voxels.full_count) + " full, a sample of more"
                             : voxel_bytes(from.voxels_per_side)});
     if (boxes)
@@ -231,7 +345,8 @@ std::vector<exhibit> exhibits_of(const scene &from, const voxel_faces &voxels, c
                        grouped(int64_t(from.shown.boxes.size())) + " full cubes"});
     if (mesh)
         all.push_back({aside_of(count - 1, count, look),
-                       grouped(int64_t(from.mesh.points.size())) + " vertices, " +
+                       (answer ? "for comparison: " : "") +
+                           grouped(int64_t(from.mesh.points.size())) + " vertices, " +
                            grouped(int64_t(from.mesh.triangles.size())) + " triangles",
                        mesh_bytes(from.mesh)});
     for (size_t i = 0; i < all.size() && i < from.shown.captions.size(); i++) {
@@ -262,10 +377,10 @@ image draw_voxels(const scene &from, picture_size size)
 {
     voxel_faces faces = faces_of(from), boxes = faces_of_boxes(from);
     bool beside = !from.mesh.points.empty();
-    if (faces.full_count == 0 && boxes.full_count == 0 && !beside)
+    if (faces.full_count == 0 && boxes.full_count == 0 && !beside && from.wrong_bits.empty())
         throw not_showable("All voxels are empty.");
     canvas target(size.width, size.height, backdrop::gradient);
-    view look;
+    view look = look_of(from);
     shape mesh(unit_box(from.mesh.points).apply(from.mesh.points), from.mesh.triangles);
     std::vector<exhibit> exhibits = exhibits_of(from, faces, look);
     move_all(faces.points, exhibits.front().aside);
@@ -277,16 +392,32 @@ image draw_voxels(const scene &from, picture_size size)
     all.add(boxes.points, boxes.triangles);
     all.add(mesh.points, mesh.triangles);
 
-    std::vector<legend_entry> legend = mark_legend(from);
-    framing frame(target.world()->GetActiveCamera(), all.points, look, target.paper_width(),
-                  {56, 56, 92, legend.empty() ? 130.0 : 160.0});
     int side = std::max(1, from.voxels_per_side);
-    target.world()->AddActor(shadow_actor(all.points, all.triangles));
+    for (int i = 0; i < 8; i++) {
+        cell corner = {{i & 1 ? side : 0, i & 2 ? side : 0, i & 4 ? side : 0}};
+        if (!from.wrong_bits.empty())
+            all.points.push_back(corner_of(corner, side, exhibits.front().aside));
+    }
+    bool answer = !from.wrong_bits.empty();
+    framing frame(target.world()->GetActiveCamera(), all.points, look, target.paper_width(),
+                  {56, 56, 92, answer ? 160.0 : 130.0});
+    cell_frames frames = frames_of(from, exhibits.front().aside, frame.units_at_middle());
+    std::vector<legend_entry> legend = voxel_legend(from, faces, frames);
+    if (look.toward.z > 0)
+        target.world()->AddActor(shadow_actor(all.points, all.triangles));
     add_voxels(target, faces, frame.units_at_middle(), side);
     if (boxes.full_count > 0)
         add_voxels(target, boxes, frame.units_at_middle(), side);
     add_mesh_beside(target, from, mesh, frame.units_at_middle());
+    add_frames(target, frames);
     target.on_paper([&](paper &sheet) {
+        if (from.named_voxel >= 0) {
+            cell at = cell_of(from.named_voxel, side);
+            draw_label(sheet, frame.on_paper(frames.named_middle), {0, 1},
+                       "cell (" + std::to_string(at.axis[0]) + ", " + std::to_string(at.axis[1]) +
+                           ", " + std::to_string(at.axis[2]) + ")",
+                       false);
+        }
         draw_title(sheet, from.title, from.subtitle);
         draw_exhibits(sheet, exhibits, frame, sheet.height() - (legend.empty() ? 74 : 100));
         draw_legend(sheet, legend);

@@ -209,6 +209,30 @@ static void usual_mistakes_are_guessed(void **state)
     assert_says(&cube, HUGE_VAL, "not-a-number", "the area is infinity instead of 6");
 }
 
+/* What is not counted is marked when the area tells it; all pictures tell both areas. */
+static void what_is_not_counted_is_shown(void **state)
+{
+    (void)state;
+    const double areas[] = {1, 4.2};
+    struct writer input;
+    make_input(&cube, &input);
+    for (int i = 0; i < 2; i++) {
+        struct judgement judgement = {0};
+        struct span answer = {(const unsigned char *)&areas[i], sizeof areas[i]};
+        assert_int_equal(judge_mesh_area.judge((struct span){input.bytes, input.count}, answer,
+                                               NULL, &judgement, NULL),
+                         0);
+        assert_int_equal(judgement.scene.kind, SCENE_MESH);
+        assert_int_equal(judgement.scene.mark_count[MARK_MISSING], i == 0 ? 10 : 0);
+        assert_int_equal(judgement.scene.ok_count, i == 0 ? 2 : -1);
+        assert_int_equal(judgement.scene.fact_count, 2);
+        assert_string_equal(judgement.scene.facts[0].value, "6");
+        assert_string_equal(judgement.scene.facts[1].value, i == 0 ? "1" : "4.2");
+        scene_release(&judgement.scene);
+    }
+    writer_release(&input);
+}
+
 static void inputs_are_valid(void **state)
 {
     (void)state;
@@ -243,6 +267,7 @@ int main(void)
         cmocka_unit_test(only_areas_within_the_tolerance_are_accepted),
         cmocka_unit_test(any_bytes_are_survived),
         cmocka_unit_test(usual_mistakes_are_guessed),
+        cmocka_unit_test(what_is_not_counted_is_shown),
         cmocka_unit_test(inputs_are_valid),
         cmocka_unit_test(submissions_are_told_apart),
     };

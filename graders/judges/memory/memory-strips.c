@@ -343,18 +343,16 @@ static void corners_of(int32_t i, int32_t corner[3])
 /* The first fault decides which strips the picture shows, when it cannot show all. */
 static void show_around(struct built *built, int32_t strip)
 {
-    if (strip >= SHOWN_STRIP_LIMIT)
-        built->first_shown =
-            strip < built->m - SHOWN_STRIP_LIMIT ? strip : built->m - SHOWN_STRIP_LIMIT;
+    int32_t last = built->m - SHOWN_STRIP_LIMIT;
+    built->first_shown = strip < SHOWN_STRIP_LIMIT ? 0 : strip < last ? strip : last;
 }
 
 /* The number of a strip's vertex in the scene's mesh, -1 when the strip is not shown. */
 static int32_t shown_vertex(const struct built *built, int32_t strip, int32_t vertex)
 {
     int32_t place = strip - built->first_shown;
-    if (place < 0 || place >= SHOWN_STRIP_LIMIT)
-        return -1;
-    return place * (int32_t)built->vertices_per_strip + vertex;
+    bool is_shown = place >= 0 && place < SHOWN_STRIP_LIMIT;
+    return is_shown ? place * (int32_t)built->vertices_per_strip + vertex : -1;
 }
 
 /* A vertex that is no lattice point is rejected. */

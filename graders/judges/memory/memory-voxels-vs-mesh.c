@@ -342,8 +342,26 @@ static const struct bitmap_mistake *find_bitmap_mistake(int32_t k, const uint8_t
     return NULL;
 }
 
-/* The voxels as they are, and beside them the mesh as it should be. */
-static int show_voxels(int32_t k, const uint8_t *bits, struct scene *scene, struct error *err)
+/* Says which bits of the cells are wrong, and which one is named. */
+static int show_wrong_cells(int32_t k, const uint8_t *bits, int64_t named, struct scene *scene,
+                            struct error *err)
+{
+    int64_t cell_count = (int64_t)k * k * k;
+    uint8_t *wrong = calloc((size_t)(cell_count / 8 + 1), 1);
+    if (!wrong)
+        return error_set(err, "out of memory for %" PRId64 " cells", cell_count);
+    for (int64_t i = 0; i < cell_count; i++)
+        if (bit_at(bits, i) != cell_in_sphere(k, i, 1, (int64_t)k * k))
+            wrong[i / 8] = (uint8_t)(wrong[i / 8] | 1U << i % 8);
+    int failed = scene_set_wrong_voxels(scene, wrong, named, err);
+    free(wrong);
+    return failed;
+}
+
+/* The voxels as they are, with the named cell and all that are wrong, and beside them the mesh as
+ * it should be. named: the number of a cell, -1: none. */
+static int show_voxels(int32_t k, const uint8_t *bits, int64_t named, struct scene *scene,
+                       struct error *err)
 {
     struct mesh mesh = {0};
     if (k > SHOWN_VOXELS_PER_SIDE)
@@ -357,7 +375,9 @@ static int show_voxels(int32_t k, const uint8_t *bits, struct scene *scene, stru
         if (failed)
             return -1;
     }
-    return scene_set_voxels(scene, bits, k, err);
+    if (scene_set_voxels(scene, bits, k, err))
+        return -1;
+    return show_wrong_cells(k, bits, named, scene, err);
 }
 
 static int judge_bits(int32_t k, const uint8_t *bits, struct judgement *out, struct error *err)
@@ -382,7 +402,7 @@ static int judge_bits(int32_t k, const uint8_t *bits, struct judgement *out, str
             " esfera.%s%.0s%s",
             x, y, z, number, set, set ? "outside" : "inside", set ? "fuera" : "dentro",
             mistake ? " " : "", mistake ? mistake->hint : "", mistake ? mistake->hint_es : "");
-        return show_voxels(k, bits, &out->scene, err);
+        return show_voxels(k, bits, number, &out->scene, err);
     }
     for (; number < bit_count; number++) {
         if (!bit_at(bits, number))
@@ -390,7 +410,7 @@ static int judge_bits(int32_t k, const uint8_t *bits, struct judgement *out, str
         judge_name_element(out, "bit %" PRId64, number);
         judge_reject(out, "unused-bits", "Bit %" PRId64 " belongs to no cell and must be 0.",
                      "El bit %" PRId64 " no es de ninguna celda y tiene que ser 0.", number);
-        return show_voxels(k, bits, &out->scene, err);
+        return show_voxels(k, bits, -1, &out->scene, err);
     }
     judge_accept(out);
     return 0;

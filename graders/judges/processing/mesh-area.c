@@ -10,9 +10,11 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 
 enum { HIDDEN = false, PUBLIC = true, QUICK = true, FULL = false };
 enum { LARGE_GRID = 1000 }; /* a shape of this exercise alone: a rows, b columns, b odd */
+enum { SHOWN_TRIANGLES = 1000000 };
 
 static const double ALLOWED = 1e-6;
 
@@ -190,6 +192,11 @@ static struct guess guess_mistake(const struct area_sums *sums, int32_t triangle
          " Products of positions are taken in float: subtract positions first, and in double.",
          " Se multiplican posiciones en float: hay que restarlas antes, y en double."},
     };
+    if (is_close(area, sums->exact / 2) && is_close(area, sums->facing_up))
+        return (struct guess){
+            sums->facing_up,
+            " It is half of the area, which is that of the triangles facing upwards (z).",
+            " Es la mitad del área, que es la de los triángulos que miran hacia arriba (z)."};
     for (size_t i = 0; i < sizeof guesses / sizeof *guesses; i++) {
         double value = guesses[i].value;
         bool is_told_apart =
@@ -210,6 +217,34 @@ static int show_triangle(const struct mesh_view *view, enum mark_kind kind, int3
     if (mesh_case_show(view, &out->scene, err))
         return -1;
     scene_mark_triangle(&out->scene, kind, v[0], v[1], v[2]);
+    return 0;
+}
+
+/* Shows the mesh with both areas in the legend. What is not counted is marked, when that is known
+ * (facing_up); else the triangles without area. */
+static int show_area(const struct mesh_view *view, double exact, double area, bool facing_up,
+                     struct scene *scene, struct error *err)
+{
+    char text[32];
+    int64_t counted = 0;
+    if (view->triangle_count == 0 || view->triangle_count > SHOWN_TRIANGLES)
+        return 0;
+    if (mesh_case_show(view, scene, err))
+        return -1;
+    for (int32_t t = 0; t < view->triangle_count; t++) {
+        const int32_t *v = view->triangles + 3 * (int64_t)t;
+        enum area_facing facing = mesh_area_facing(view, t);
+        counted += facing == AREA_UPWARDS;
+        if (facing_up && facing == AREA_NOT_UPWARDS)
+            scene_mark_triangle(scene, MARK_MISSING, v[0], v[1], v[2]);
+        if (!facing_up && facing == AREA_FLAT)
+            scene_mark_triangle(scene, MARK_DEGENERATE, v[0], v[1], v[2]);
+    }
+    scene->ok_count = facing_up ? counted : -1;
+    snprintf(text, sizeof text, "%.6g", exact);
+    scene_add_fact(scene, "expected area", text);
+    snprintf(text, sizeof text, "%.6g", area);
+    scene_add_fact(scene, "answered", text);
     return 0;
 }
 
@@ -254,7 +289,8 @@ static int reject_area(const struct mesh_view *view, double area, struct judgeme
         return show_triangle(view, MARK_MISSING, view->triangle_count - 1, out, err);
     if (view->triangle_count > 0 && guess.value == sums.without_first)
         return show_triangle(view, MARK_MISSING, 0, out, err);
-    return 0;
+    bool facing_up = guess.english[0] && guess.value == sums.facing_up;
+    return show_area(view, sums.exact, area, facing_up, &out->scene, err);
 }
 
 static int judge_area(struct span input, struct span answer, const struct usage *usage,
