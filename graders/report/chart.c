@@ -4,12 +4,38 @@
 #include "graders/report/results.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* ---------------------------------------------------------------- scenes from measures */
 
+/* Whether a sentence names a family, as a word of its own. */
+static bool names_family(const char *sentence, const char *family)
+{
+    size_t length = strlen(family);
+    for (const char *at = sentence; length > 0 && (at = strstr(at, family)) != NULL; at++)
+        if ((at == sentence || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
+            return true;
+    return false;
+}
+
+/* What the growth check says; "" when there is no such check. */
+static const char *growth_message(const json_t *result)
+{
+    size_t i;
+    json_t *check;
+    json_array_foreach(json_object_get(result, "checks"), i, check)
+    {
+        const char *message = words_in(check, "message").en;
+        if (strcmp(result_text(check, "name"), "growth") == 0)
+            return message ? message : "";
+    }
+    return "";
+}
+
 const json_t *chart_growth_family(const json_t *result)
 {
+    const char *message = growth_message(result);
     const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
     const json_t *worst = NULL;
     double worst_excess = 0;
@@ -21,6 +47,8 @@ const json_t *chart_growth_family(const json_t *result)
         const json_t *fit = json_object_get(family, "fit");
         double excess = result_number(fit, "excess_percent");
         double exponent = result_number(fit, "exponent");
+        if (names_family(message, result_text(family, "name")))
+            return family;
         if (worst &&
             (excess < worst_excess || (excess == worst_excess && exponent <= worst_exponent)))
             continue;
@@ -61,6 +89,14 @@ static json_t *curve_of(const json_t *family, const char *key, const char *name,
     return json_pack("{s:s, s:o, s:o, s:f}", "name", name, "x", x, "y", y, "exponent", exponent);
 }
 
+/* "Edge table of any mesh: growth of the work". */
+static void title_of(const json_t *result, const char *what, char *title, size_t capacity)
+{
+    const char *exercise = words_in(result, "title").en;
+    snprintf(title, capacity, "%s: %s", exercise ? exercise : result_text(result, "exercise"),
+             what);
+}
+
 /* A scene of submission and reference over the sizes of a family; NULL when there is no curve. */
 static json_t *two_curves(const json_t *result, const json_t *family, const char *own_key,
                           const char *reference_key, const char *y_label, const char *title)
@@ -80,11 +116,13 @@ static json_t *two_curves(const json_t *result, const json_t *family, const char
         json_decref(curves);
         return NULL;
     }
+    char whole_title[200];
+    title_of(result, title, whole_title, sizeof whole_title);
     return json_pack("{s:s, s:s, s:s, s:o, s:s, s:s, s:{s:O, s:s, s:O}}", "kind", "chart", "title",
-                     title, "subtitle", result_text(family, "name"), "curves", curves, "x_label",
-                     plural_of(words_in(growth, "element").en), "y_label", y_label, "metadata",
-                     "exercise", json_object_get(result, "exercise"), "case", title, "verdict",
-                     json_object_get(result, "verdict"));
+                     whole_title, "subtitle", result_text(family, "name"), "curves", curves,
+                     "x_label", plural_of(words_in(growth, "element").en), "y_label", y_label,
+                     "metadata", "exercise", json_object_get(result, "exercise"), "case", title,
+                     "verdict", json_object_get(result, "verdict"));
 }
 
 json_t *chart_of_growth(const json_t *result)

@@ -7,8 +7,9 @@
 
 #include <jansson.h>
 
-/* The family of measures.growth that decides: the one furthest above what is allowed, and of equal
- * ones the one with the largest exponent (borrowed; NULL when there is none). */
+/* The family of measures.growth that decides: the one that the growth check's message names, or
+ * else the one furthest above what is allowed, and of equal ones the one with the largest exponent
+ * (borrowed; NULL when there is none). */
 const json_t *chart_growth_family(const json_t *result);
 
 /* Chart scenes (format in graders/render/README.md) of submission and reference over doubling
