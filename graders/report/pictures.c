@@ -148,10 +148,40 @@ static int job_add_scene(struct job *job, const char *out, const char *stem, con
     return job_add_cell(job, picture, caption, err);
 }
 
-/* Adds the scenes of a student's exercise: those of its cases, or its charts. */
-static int job_add_folder(struct job *job, const char *out, const char *student,
-                          const char *exercise, bool charts, struct error *err)
+/* What of an exercise is added: the order on the sheet. */
+enum part { FIRST_OF_CAUSE, OTHER_CASES, CHARTS, PART_COUNT };
+
+/* The cause of a case whose scene is "<case>.json"; "" when there is no such case. */
+static const char *cause_of_scene(const json_t *result, const char *scene)
 {
+    size_t i, length = strlen(scene) - strlen(".json");
+    json_t *one;
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        const char *name = result_text(one, "name");
+        if (strlen(name) == length && strncmp(name, scene, length) == 0)
+            return result_text(one, "cause");
+    }
+    return "";
+}
+
+static enum part part_of(const json_t *result, char *const *scenes, size_t index)
+{
+    if (is_chart(scenes[index]))
+        return CHARTS;
+    const char *cause = cause_of_scene(result, scenes[index]);
+    for (size_t i = 0; i < index; i++)
+        if (!is_chart(scenes[i]) && strcmp(cause_of_scene(result, scenes[i]), cause) == 0)
+            return OTHER_CASES;
+    return FIRST_OF_CAUSE;
+}
+
+/* Adds a part of the scenes of a student's exercise. */
+static int job_add_folder(struct job *job, const char *out, const json_t *result, enum part part,
+                          struct error *err)
+{
+    const char *student = result_text(result, "student_folder");
+    const char *exercise = result_text(result, "exercise");
     char path[DOCUMENT_PATH_BYTES];
     if (document_path(path, err, "%s/pictures/%s/%s", out, student, exercise) != 0)
         return -1;
@@ -160,12 +190,12 @@ static int job_add_folder(struct job *job, const char *out, const char *student,
     for (size_t i = 0; status == 0 && scenes[i]; i++) {
         char caption[300];
         size_t length = strlen(scenes[i]) - strlen(".json");
-        if (is_chart(scenes[i]) != charts)
+        if (part_of(result, scenes, i) != part)
             continue;
         snprintf(caption, sizeof caption, "%s: %.*s", exercise, (int)length, scenes[i]);
         status = document_path(path, err, "%s/%s/%.*s", student, exercise, (int)length, scenes[i]);
         if (status == 0)
-            status = job_add_scene(job, out, path, caption, charts, err);
+            status = job_add_scene(job, out, path, caption, part == CHARTS, err);
     }
     free(scenes);
     return status;
@@ -244,11 +274,11 @@ static int draw_student(struct drawing *drawing, const struct gradebook *book,
     char sheet[200];
     snprintf(sheet, sizeof sheet, "%s/sheet.png", student->folder);
     int status = job_start(&job, err);
-    for (int charts = 0; charts < 2; charts++) /* what went wrong stands first on the sheet */
+    for (int part = 0; part < PART_COUNT; part++) /* each cause stands once at the beginning */
         for (size_t e = 0; status == 0 && e < book->exercise_count; e++)
             if (student->results[e])
-                status = job_add_folder(&job, drawing->out, student->folder,
-                                        book->exercises[e].name, charts, err);
+                status =
+                    job_add_folder(&job, drawing->out, student->results[e], (enum part)part, err);
     if (status == 0)
         status = draw(drawing, &job, sheet, json_string_value(student->name), err);
     job_release(&job);
