@@ -106,11 +106,13 @@ static void add_run(struct rules *rules)
             argument(4, SCMP_CMP_EQ, AT_EMPTY_PATH));
 }
 
-/* Signals: only to itself. A compiler may be of several processes, of which the filter knows one.
- */
+/* Signals: only to itself, and in TOOLS only those of a crash: any other (ENOSYS) would look as if
+ * somebody outside had ended the program. A compiler may be of several processes, of which the
+ * filter knows one. */
 static void add_signals(struct rules *rules, bool several)
 {
     static const int calls[] = {SCMP_SYS(kill), SCMP_SYS(tkill), SCMP_SYS(tgkill)};
+    static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS};
     if (several) {
         add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), argument(2, SCMP_CMP_EQ, SIGABRT));
         add(rules, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(kill), 0, NULL);
@@ -118,8 +120,11 @@ static void add_signals(struct rules *rules, bool several)
         return;
     }
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
-        add_if(rules, SCMP_ACT_ALLOW, calls[i], argument(0, SCMP_CMP_EQ, OWN_ID_MARK));
+        unsigned of_signal = calls[i] == SCMP_SYS(tgkill) ? 2 : 1;
         add_if(rules, rules->refuse, calls[i], argument(0, SCMP_CMP_NE, OWN_ID_MARK));
+        for (size_t j = 0; j < sizeof crashes / sizeof crashes[0]; j++)
+            add_if2(rules, SCMP_ACT_ALLOW, calls[i], argument(0, SCMP_CMP_EQ, OWN_ID_MARK),
+                    argument(of_signal, SCMP_CMP_EQ, (uint64_t)crashes[j]));
     }
 }
 

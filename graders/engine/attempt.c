@@ -94,14 +94,29 @@ static bool is_own_signal(int signal_number)
     return false;
 }
 
+/* What kept the runner from getting ready and was not the submission's: NULL when nothing did. A
+ * submission of odd static data can make libc itself give up before main. */
+static const char *what_was_missing(const struct box_outcome *outcome)
+{
+    if (outcome->end == BOX_ENDED_KILLED)
+        return "the runner was not ready in time; is the machine overloaded?";
+    if (outcome->end != BOX_ENDED_EXIT)
+        return NULL;
+    if (outcome->exit_code == EXIT_NO_REGIONS)
+        return "the runner could not map its memory; is memory short?";
+    if (outcome->exit_code == EXIT_NOT_SECLUDED)
+        return "the runner could not give up exec; does this kernel have seccomp filters?";
+    return NULL;
+}
+
 int attempt_explain_death(enum call_end end, const struct control *claims,
                           const struct box_outcome *outcome, struct attempt *attempt,
                           struct error *err)
 {
     bool killed_by_us = end == CALL_CPU || end == CALL_IDLE;
-    if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == EXIT_NO_REGIONS &&
-        claims->phase == PHASE_START)
-        return error_set(err, "the runner could not map its memory; is memory short?");
+    const char *missing = end == CALL_NOT_READY ? what_was_missing(outcome) : NULL;
+    if (missing)
+        return error_set(err, "%s", missing);
     if (outcome->end == BOX_ENDED_SIGNAL && !killed_by_us && !is_own_signal(outcome->signal))
         return error_set(err,
                          "the submission's program was killed by signal %d from outside its box; "

@@ -41,7 +41,7 @@ int attempt_judge(const struct yardstick *yardstick, const struct input *input,
 
 /* Sets verdict and texts for a program that did not come back. Returns 0, or -1 and *err for a
  * fault: it was killed by a signal that it cannot send itself and that no limit of ours sends, or
- * the runner had no memory. */
+ * the runner could not get ready (CALL_NOT_READY; exit codes mean something only then). */
 int attempt_explain_death(enum call_end end, const struct control *claims,
                           const struct box_outcome *outcome, struct attempt *attempt,
                           struct error *err) MUST_CHECK;

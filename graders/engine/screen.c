@@ -85,6 +85,13 @@ static const char *const forbidden_symbols[] = {"mmap",
                                                 "clone",
                                                 "__clone",
                                                 "clone3",
+                                                "fexecve",
+                                                "posix_spawn",
+                                                "posix_spawnp",
+                                                "system",
+                                                "popen",
+                                                "wordexp",
+                                                "pvalloc",
                                                 "__malloc_hook",
                                                 "__realloc_hook",
                                                 "__free_hook",
@@ -99,8 +106,8 @@ static const char *const forbidden_symbols[] = {"mmap",
                                                 NULL};
 
 static const char *const forbidden_symbol_prefixes[] = {
-    "__wrap_", "__real_",  "__libc_",    "__malloc_", "_dl_",  "__dl_",     "__environ",
-    "__mmap",  "__munmap", "__mprotect", "__sbrk",    "__brk", "__syscall", NULL};
+    "exec",      "__exec", "__wrap_",  "__real_",    "__libc_", "__malloc_", "_dl_",      "__dl_",
+    "__environ", "__mmap", "__munmap", "__mprotect", "__sbrk",  "__brk",     "__syscall", NULL};
 
 static const char *const sanitizer_prefixes[] = {
     "__asan_",   "__ubsan_",     "__lsan_",        "__tsan_",         "__msan_",

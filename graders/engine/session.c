@@ -99,6 +99,7 @@ int session_start(struct session *session, const struct session_plan *plan, stru
     session->control->input_capacity = plan->input->capacity;
     session->control->answer_capacity = session->answer.capacity;
     session->control->mode = plan->mode;
+    atomic_store(&session->control->done_index, NOT_READY);
     session->control->heap_limit_bytes =
         plan->heap_limit_bytes ? (uint64_t)plan->heap_limit_bytes : INT64_MAX / 2;
     fill_box_plan(session, plan, &box);
@@ -150,6 +151,17 @@ static enum call_end await(struct session *session, const struct call_limits *li
     }
 }
 
+/* Starting takes seconds under a tool on a busy machine. */
+static const struct call_limits ready_limits = {60000000000LL, 60000000000LL};
+
+/* Waits until the runner has its memory and stands before its first call: every end that comes
+ * later is the submission's, whatever it writes into the page. */
+static enum call_end await_ready(struct session *session)
+{
+    session->cpu_start_ns = 0;
+    return await(session, &ready_limits) == CALL_ANSWERED ? CALL_ANSWERED : CALL_NOT_READY;
+}
+
 static uint64_t fresh_nonce(void)
 {
     uint64_t nonce = 0;
@@ -163,6 +175,12 @@ enum call_end session_call(struct session *session, size_t input_bytes, int64_t 
 {
     struct control *control = session->control;
     uint64_t nonce = fresh_nonce();
+    enum call_end end = session->call_index == 0 ? await_ready(session) : CALL_ANSWERED;
+    if (end != CALL_ANSWERED) {
+        session->alive = false;
+        box_kill(&session->box);
+        return end;
+    }
     control->nonce = nonce;
     control->echo = 0;
     control->input_bytes = input_bytes;
@@ -170,7 +188,7 @@ enum call_end session_call(struct session *session, size_t input_bytes, int64_t 
     session->cpu_start_ns = box_cpu_ns(&session->box);
     atomic_store(&control->call_index, ++session->call_index);
     futex_wake(&control->call_index);
-    enum call_end end = await(session, limits);
+    end = await(session, limits);
     memcpy(&session->claims, (const void *)control, sizeof session->claims);
     if (end == CALL_ANSWERED && session->claims.echo != nonce)
         end = CALL_DIED; /* it said "done" without having gone through the runner */

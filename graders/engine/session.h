@@ -1,7 +1,8 @@
 /* A session: one program in a box, called any number of times over the shared control page.
  *
  *   engine                         box
- *   session_start  ---- spawn ---> runner maps the regions, waits
+ *   session_start  ---- spawn ---> runner maps the regions
+ *                  <--- futex ---- ready, waits
  *   session_call   ---- futex ---> run_call: the student's function, once
  *                  <--- futex ---- answer and claims
  *   session_end    ---- quit ----> ends; killed if it does not
@@ -41,7 +42,8 @@ enum call_end {
     CALL_ANSWERED, /* the runner says it is done, with the right nonce */
     CALL_CPU,      /* more CPU time than allowed */
     CALL_IDLE,     /* neither working nor waiting for a CPU */
-    CALL_DIED      /* the program ended: the outcome of session_end tells how */
+    CALL_DIED,     /* the program ended: the outcome of session_end tells how */
+    CALL_NOT_READY /* the same, before the runner was ready: no code of a submission had run */
 };
 
 struct call_limits {
@@ -65,7 +67,8 @@ struct session {
 int session_start(struct session *session, const struct session_plan *plan,
                   struct error *err) MUST_CHECK;
 
-/* Calls once with the `input_bytes` first bytes of the input region.
+/* Calls once with the `input_bytes` first bytes of the input region. The first call begins when the
+ * runner is ready; what it needs for that is charged to no call.
  *
  * failing_allocation  as struct control; 0: none
  * returns             how it ended. After anything but CALL_ANSWERED the program is dead, and

@@ -16,8 +16,12 @@ enum { CONTROL_FD = 3, INPUT_FD = 4, ANSWER_FD = 5 };
 
 enum { CONTROL_BYTES = 4096 };
 
-/* How the runner ends when it cannot map its regions. */
-enum { EXIT_NO_REGIONS = 99 };
+/* How the runner ends when it cannot map its regions, or cannot give up what the student's code
+ * must not have. Either comes before it says that it is ready, or was not said by the runner. */
+enum { EXIT_NO_REGIONS = 99, EXIT_NOT_SECLUDED = 97 };
+
+/* In done_index, by the engine: the runner is not ready yet. Ready is 0, as after no call. */
+enum { NOT_READY = UINT32_MAX };
 
 enum runner_mode {
     MODE_PLAIN = 0,
@@ -43,7 +47,7 @@ enum fault_kind {
     FAULT_OTHER
 };
 
-enum { CALL_QUIT = UINT32_MAX };
+enum { CALL_QUIT = UINT32_MAX }; /* in call_index */
 
 struct control {
     alignas(64) _Atomic uint32_t call_index; /* engine: 1, 2, ...; CALL_QUIT ends the runner */

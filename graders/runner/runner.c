@@ -1,14 +1,16 @@
 /* The program inside the box, beside the student's object.
  *
- * It maps the three regions that it was given (control page, input, answer), and then, for every
- * call that the engine asks for: hands the input to run_call, lets it call the student, and reports
- * what was measured. It shares a process with the student's code, so nothing that it says is
- * believed; it holds no expected answer, no seed, no name of a case.
+ * It maps the three regions that it was given (control page, input, answer), gives up what the
+ * student's code must not have, says that it is ready, and then, for every call that the engine
+ * asks for: hands the input to run_call, lets it call the student, and reports what was measured.
+ * It shares a process with the student's code, so nothing that it says is believed; it holds no
+ * expected answer, no seed, no name of a case.
  *
  * It waits and wakes by futex on the control page. The student's function runs on the ordinary
  * stack; faults are described by a handler on a stack of its own and then take their course. */
 #include "graders/runner/call.h"
 #include "graders/runner/control.h"
+#include "graders/runner/seclude.h"
 #include "graders/runner/shim.h"
 
 #include <errno.h>
@@ -226,6 +228,12 @@ static void futex(_Atomic uint32_t *word, int operation, uint32_t value)
     syscall(SYS_futex, word, operation, value, NULL, NULL, 0);
 }
 
+static void finish_call(uint32_t index)
+{
+    atomic_store(&control->done_index, index);
+    futex(&control->done_index, FUTEX_WAKE, 1);
+}
+
 /* A call index that is neither the last nor the next was not written by the engine: the student's
  * code overwrote the page. Ending here keeps what the engine reads of the last call as it is. */
 static void serve_calls(void)
@@ -236,8 +244,7 @@ static void serve_calls(void)
         if (atomic_load(&control->call_index) != index)
             return;
         do_call();
-        atomic_store(&control->done_index, index);
-        futex(&control->done_index, FUTEX_WAKE, 1);
+        finish_call(index);
     }
 }
 
@@ -257,6 +264,16 @@ static void *map_guarded(int descriptor, size_t bytes, int protection)
     return mapped == MAP_FAILED ? NULL : mapped;
 }
 
+/* Sanitizers and memcheck leave the shim out, callgrind counts. */
+static bool is_in_tools(void)
+{
+#ifdef RUNNER_WITHOUT_SHIM
+    return true;
+#else
+    return fixed.mode & MODE_COUNT;
+#endif
+}
+
 int main(void)
 {
     int here;
@@ -272,8 +289,11 @@ int main(void)
     answer_region = map_guarded(ANSWER_FD, fixed.answer_capacity, PROT_READ | PROT_WRITE);
     if (!input_region || !answer_region)
         return EXIT_NO_REGIONS;
+    if (seclude(is_in_tools()) != 0)
+        return EXIT_NOT_SECLUDED;
     setvbuf(stdout, output_buffer, _IOFBF, sizeof output_buffer); /* no allocation to be counted */
     watch_faults();
+    finish_call(0); /* ready, as after no call */
     serve_calls();
     return 0;
 }

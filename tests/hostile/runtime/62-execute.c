@@ -1,6 +1,6 @@
 /* Tries: to become another program
- * Stopped by: the seccomp filter of the run box
- * expect: forbidden-operation, execve */
+ * Stopped by: the screen of the object: undefined names
+ * expect: compile-error, forbidden-symbol */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"

@@ -1,7 +1,6 @@
 /* Tries: to run a shell
- * Stopped by: the seccomp filter of the run box; too-many-processes, not forbidden-operation,
- * since it would make one
- * expect: too-many-processes, clone3 */
+ * Stopped by: the screen of the object: undefined names
+ * expect: compile-error, forbidden-symbol */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"
