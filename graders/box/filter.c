@@ -106,13 +106,14 @@ static void add_run(struct rules *rules)
             argument(4, SCMP_CMP_EQ, AT_EMPTY_PATH));
 }
 
-/* Signals: only to itself, and in TOOLS only those of a crash: any other (ENOSYS) would look as if
- * somebody outside had ended the program. A compiler may be of several processes, of which the
- * filter knows one. */
+/* Signals: only to itself, and in TOOLS only those that the kernel sends for what a program does:
+ * valgrind ends by them itself. Any other (ENOSYS) would look as if somebody outside had ended the
+ * program. A compiler may be of several processes, of which the filter knows one. */
 static void add_signals(struct rules *rules, bool several)
 {
     static const int calls[] = {SCMP_SYS(kill), SCMP_SYS(tkill), SCMP_SYS(tgkill)};
-    static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS};
+    static const int own[] = {SIGSEGV, SIGBUS, SIGFPE,  SIGILL,  SIGTRAP,
+                              SIGABRT, SIGSYS, SIGPIPE, SIGXCPU, SIGXFSZ};
     if (several) {
         add_if(rules, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), argument(2, SCMP_CMP_EQ, SIGABRT));
         add(rules, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(kill), 0, NULL);
@@ -122,9 +123,9 @@ static void add_signals(struct rules *rules, bool several)
     for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
         unsigned of_signal = calls[i] == SCMP_SYS(tgkill) ? 2 : 1;
         add_if(rules, rules->refuse, calls[i], argument(0, SCMP_CMP_NE, OWN_ID_MARK));
-        for (size_t j = 0; j < sizeof crashes / sizeof crashes[0]; j++)
+        for (size_t j = 0; j < sizeof own / sizeof own[0]; j++)
             add_if2(rules, SCMP_ACT_ALLOW, calls[i], argument(0, SCMP_CMP_EQ, OWN_ID_MARK),
-                    argument(of_signal, SCMP_CMP_EQ, (uint64_t)crashes[j]));
+                    argument(of_signal, SCMP_CMP_EQ, (uint64_t)own[j]));
     }
 }
 

@@ -39,6 +39,10 @@ static void explain_signal(int signal_number, const struct control *claims, stru
         attempt_say(attempt, VERDICT_CRASH, "illegal-instruction",
                     "Your function executed an instruction that this machine does not have.",
                     "Tu función ejecutó una instrucción que esta máquina no tiene.");
+    else if (signal_number == SIGPIPE)
+        attempt_say(attempt, VERDICT_CRASH, "broken-pipe",
+                    "Your function wrote to a pipe that nobody reads.",
+                    "Su función escribió en una tubería que nadie lee.");
     else if (in_answer)
         attempt_say(attempt, VERDICT_CRASH, "wild-pointer",
                     "The pointer that your function returned cannot be read as far as its count "
@@ -84,10 +88,11 @@ static void explain_out_of_memory(struct attempt *attempt)
                 "Tu función pidió más memoria de la permitida.");
 }
 
-/* What a program's own doing can end it with: it may send itself no signal but abort's. */
+/* What a program's own doing can end it with: it may send itself no others. Under the tools it can
+ * make pipes. */
 static bool is_own_signal(int signal_number)
 {
-    static const int own[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS};
+    static const int own[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS, SIGPIPE};
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (own[i] == signal_number)
             return true;

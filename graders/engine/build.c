@@ -270,26 +270,35 @@ static int check_policy(struct build *build, const struct source *sources, int c
     return 0;
 }
 
-static int check_screen(const struct exercise *exercise, struct build *build, struct error *err)
+static int screen_one(const struct exercise *exercise, const char *name, bool sanitized,
+                      struct build *build, struct error *err)
 {
     const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL};
-    struct screen_rules rules = {functions, STATIC_LIMIT_BYTES};
+    struct screen_rules rules = {functions, STATIC_LIMIT_BYTES, sanitized};
     char *object;
     size_t object_bytes;
     struct screen screen;
     for (int i = 0; i < exercise->function_count; i++)
         functions[i] = exercise->functions[i];
-    if (file_read_below(build->folder, "all.o", 2 * FILE_LIMIT_BYTES, &object, &object_bytes,
-                        err) != 0)
+    if (file_read_below(build->folder, name, 2 * FILE_LIMIT_BYTES, &object, &object_bytes, err) !=
+        0)
         return -1;
     int result = screen_object(object, object_bytes, &rules, &screen, err);
     if (result == 0) {
         build->refusal = screen.refusal;
-        build->static_bytes = screen.static_bytes;
+        if (!sanitized)
+            build->static_bytes = screen.static_bytes;
         screen_release(&screen);
     }
     free(object);
     return result;
+}
+
+static int check_screen(const struct exercise *exercise, struct build *build, struct error *err)
+{
+    if (screen_one(exercise, "all.o", false, build, err) != 0)
+        return -1;
+    return build->refusal.refused ? 0 : screen_one(exercise, "all.s.o", true, build, err);
 }
 
 /* Policy and screen look at what the compiler made. A missing function is told better by the screen

@@ -12,8 +12,10 @@
 enum {
     DUMP_LIMIT_BYTES = 16 << 20,
     SIZES_BEFORE_HOPELESS = 4,
-    HOPELESS_RATIO = 50, /* cost over the reference's ... */
-    ALLOCATION_OVERHEAD_BYTES = 64,
+    HOPELESS_RATIO = 50,            /* cost over the reference's ... */
+    ALLOCATION_OVERHEAD_BYTES = 64, /* of a block, at most */
+    OVERHEAD_TO_HEAP = 8,           /* blocks of 8 bytes on average, at the least */
+    STACK_BYTES_MAX = 16 << 20,
     RESIDENT_SLACK_BYTES = 1 << 20
 };
 static const double HOPELESS_RISE = 2.83; /* ... while a doubling costs more than n^1.5 would */
@@ -55,15 +57,34 @@ static int start(const struct range *range, const struct build *build, enum seri
     return series_start(series, &plan, err);
 }
 
+/* A claim of memory, as far as it can be true. */
+static int64_t possible(int64_t claimed, int64_t most)
+{
+    return claimed < 0 ? 0 : claimed < most ? claimed : most;
+}
+
+static int64_t possible_heap(const struct range *range, const struct control *claims)
+{
+    return possible(claims->heap_peak_bytes, range->yardstick->exercise->memory_limit_bytes);
+}
+
+/* What the allocator adds to blocks that all lived at once. The number of blocks is believed as far
+ * as the heap, by which a mark is given, goes with it: claiming many costs bytes that count. */
+static int64_t overhead_bytes(int64_t heap, int64_t allocation_count)
+{
+    int64_t most = OVERHEAD_TO_HEAP * heap;
+    return ALLOCATION_OVERHEAD_BYTES * possible(allocation_count, most / ALLOCATION_OVERHEAD_BYTES);
+}
+
 /* What a process of these claims may grow by: its heap with the allocator's overhead, stack, static
  * data, the regions that it shares with us, and what libc keeps. */
-static int64_t explained_bytes(const struct control *claims, const struct input *input,
-                               const struct build *build)
+static int64_t explained_bytes(const struct range *range, const struct control *claims,
+                               const struct input *input, const struct build *build)
 {
-    return claims->heap_peak_bytes + claims->heap_peak_bytes / 8 +
-           ALLOCATION_OVERHEAD_BYTES * claims->allocation_count + claims->stack_bytes +
-           build->static_bytes + (int64_t)input->bytes + (int64_t)input->answer_bound +
-           RESIDENT_SLACK_BYTES;
+    int64_t heap = possible_heap(range, claims);
+    return heap + heap / 8 + overhead_bytes(heap, claims->allocation_count) +
+           possible(claims->stack_bytes, STACK_BYTES_MAX) + build->static_bytes +
+           (int64_t)input->bytes + (int64_t)input->answer_bound + RESIDENT_SLACK_BYTES;
 }
 
 /* Calls on one size and judges. Returns 0, or -1: a fault. `run->failure` tells. */
@@ -92,17 +113,17 @@ static int measure_hidden(const struct range *range, const struct build *build,
         return -1;
     int64_t after = series->end == CALL_ANSWERED ? box_peak_resident_bytes(box) : -1;
     int64_t growth = before >= 0 && after >= 0 ? after - before : 0;
-    if (growth > explained_bytes(&series->session.claims, input, build))
-        run->hidden_bytes = growth - series->session.claims.heap_peak_bytes;
+    if (growth > explained_bytes(range, &series->session.claims, input, build))
+        run->hidden_bytes = growth - possible_heap(range, &series->session.claims);
     return 0;
 }
 
-static void read_memory(const struct series *series, struct cost *cost)
+static void read_memory(const struct range *range, const struct series *series, struct cost *cost)
 {
     const struct control *claims = &series->session.claims;
-    cost->heap_peak_bytes = claims->heap_peak_bytes;
-    cost->allocation_count = claims->allocation_count;
-    cost->stack_bytes = claims->stack_bytes;
+    cost->heap_peak_bytes = possible_heap(range, claims);
+    cost->allocation_count = possible(claims->allocation_count, INT64_MAX);
+    cost->stack_bytes = possible(claims->stack_bytes, STACK_BYTES_MAX);
 }
 
 static int read_counts(const struct series *series, int part, struct cost *cost, struct error *err)
@@ -162,7 +183,7 @@ static int measure(const struct range *range, const struct build *build, enum se
             break;
         struct error unread = {""};
         if (tool == SERIES_PLAIN)
-            read_memory(&series, &costs[i]);
+            read_memory(range, &series, &costs[i]);
         else if (read_counts(&series, i - range->first + 1, &costs[i], &unread) != 0)
             blame_dump(&unread, &run->failure);
         if (unread.text[0])

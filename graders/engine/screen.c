@@ -113,6 +113,23 @@ static const char *const sanitizer_prefixes[] = {
     "__asan_",   "__ubsan_",     "__lsan_",        "__tsan_",         "__msan_",
     "__hwasan_", "__sanitizer_", "__interceptor_", "__interception_", NULL};
 
+/* What gcc makes of honest code under ASan and UBSan. */
+static const char *const made_by_sanitizers[] = {"__asan_handle_no_return",
+                                                 "__asan_init",
+                                                 "__asan_register_globals",
+                                                 "__asan_option_detect_stack_use_after_return",
+                                                 "__asan_unregister_globals",
+                                                 "__asan_version_mismatch_check_v8",
+                                                 "__asan_alloca_poison",
+                                                 "__asan_allocas_unpoison",
+                                                 "__asan_poison_stack_memory",
+                                                 "__asan_unpoison_stack_memory",
+                                                 NULL};
+
+static const char *const made_by_sanitizers_prefixes[] = {
+    "__asan_report_",  "__asan_load", "__asan_store", "__asan_stack_malloc_", "__asan_stack_free_",
+    "__ubsan_handle_", NULL};
+
 /* Valgrind's request preamble: rol $3, $13, $61, $51 on rdi. */
 static const unsigned char request_preamble[] = {0x48, 0xc1, 0xc7, 0x03, 0x48, 0xc1, 0xc7, 0x0d,
                                                  0x48, 0xc1, 0xc7, 0x3d, 0x48, 0xc1, 0xc7, 0x33};
@@ -288,6 +305,19 @@ static int count_static_data(struct object *o, uint64_t bytes, bool is_writable)
                   (long long)o->all_static_bytes, (long long)limit);
 }
 
+/* Of the sanitizers' object: its code, and where its symbols are. */
+static int check_sanitized_section(struct object *o, const Elf64_Shdr *section, const char *name)
+{
+    if (section->sh_type == SHT_SYMTAB) {
+        if (o->has_symbols || !get_section(o, section->sh_link, &o->symbol_names))
+            return refuse_malformed(o, "it has no proper symbol table");
+        o->symbols = *section;
+        o->has_symbols = true;
+    }
+    bool is_code = section->sh_flags & SHF_EXECINSTR && section->sh_type != SHT_NOBITS;
+    return is_code ? check_code(o, name, section) : 0;
+}
+
 static int check_section(struct object *o, const Elf64_Shdr *section)
 {
     const char *name = string_at(o, &o->section_names, section->sh_name);
@@ -300,6 +330,8 @@ static int check_section(struct object *o, const Elf64_Shdr *section)
         return refuse_malformed(o, "a section lies outside the file");
     if (section->sh_type == SHT_NULL)
         return 0;
+    if (o->rules->sanitized)
+        return check_sanitized_section(o, section, name);
     if (strcmp(name, ".note.GNU-stack") == 0)
         return check_stack_note(o, section);
     if (!type_fits(name, section) ||
@@ -331,7 +363,7 @@ static int check_sections(struct object *o)
     }
     if (!o->has_symbols)
         return refuse_malformed(o, "it has no symbol table");
-    if (!o->has_stack_note)
+    if (!o->has_stack_note && !o->rules->sanitized)
         return refuse(&o->screen->refusal, "executable-stack",
                       "The object file does not say that its stack is not executable.",
                       "El archivo objeto no declara que su pila no es ejecutable.");
@@ -346,7 +378,9 @@ static int check_undefined(struct object *o, const char *name)
         return refuse(&o->screen->refusal, "forbidden-symbol",
                       "The code uses %s, which is not allowed here.",
                       "El código usa %s, que aquí no está permitido.", shown(o, name));
-    if (begins_as_listed(name, sanitizer_prefixes))
+    bool is_made = o->rules->sanitized && (is_listed(name, made_by_sanitizers) ||
+                                           begins_as_listed(name, made_by_sanitizers_prefixes));
+    if (begins_as_listed(name, sanitizer_prefixes) && !is_made)
         return refuse(&o->screen->refusal, "sanitizer-symbol",
                       "The code uses %s, which belongs to the tools that check it.",
                       "El código usa %s, que pertenece a las herramientas que lo revisan.",
@@ -397,6 +431,14 @@ static int check_symbol(struct object *o, const Elf64_Sym *symbol)
                                          : check_defined(o, name, symbol);
 }
 
+static int check_sanitized_symbol(struct object *o, const Elf64_Sym *symbol)
+{
+    const char *name = string_at(o, &o->symbol_names, symbol->st_name);
+    if (!name)
+        return refuse_malformed(o, "a symbol's name lies outside the file");
+    return name[0] && symbol->st_shndx == SHN_UNDEF ? check_undefined(o, name) : 0;
+}
+
 static void get_symbol(const struct object *o, uint64_t index, Elf64_Sym *symbol)
 {
     memcpy(symbol, o->bytes + o->symbols.sh_offset + index * sizeof *symbol, sizeof *symbol);
@@ -431,7 +473,8 @@ static int check_symbols(struct object *o)
     for (uint64_t i = 0; i < count && result == 0; i++) {
         Elf64_Sym symbol;
         get_symbol(o, i, &symbol);
-        result = check_symbol(o, &symbol);
+        result =
+            o->rules->sanitized ? check_sanitized_symbol(o, &symbol) : check_symbol(o, &symbol);
     }
     sort_undefined(o->screen);
     return result;

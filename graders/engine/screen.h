@@ -11,7 +11,9 @@
  * Calls such as fork, open, socket or exit are not refused here: the box refuses them when they are
  * made, and names them.
  *
- * Screen the plain object only: a sanitizer adds constructors and names of its own.
+ * Screen the plain object, and then the one for the sanitizers, which optimises otherwise and may
+ * call what the plain one does not. Of that one only code and undefined names are looked at: a
+ * sanitizer adds sections, constructors and data of its own, and names, which are on a list.
  *
  * After this the engine makes every global symbol but the exercise's functions local, so it does
  * not matter what else the object defines (its own memcpy, malloc, main, ...). */
@@ -21,11 +23,13 @@
 #include "graders/engine/refusal.h"
 #include "reference/mesh/error.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 struct screen_rules {
     const char *const *functions; /* NULL-terminated: each must be a defined global function */
     int64_t static_limit_bytes;   /* of .data + .bss + .tdata + .tbss + .rodata together */
+    bool sanitized;               /* the object that was compiled with ASan and UBSan: see below */
 };
 
 struct screen {

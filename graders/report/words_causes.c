@@ -17,6 +17,7 @@ static const struct translation causes[] = {
     {"answer-too-long", "respuesta demasiado larga"},
     {"beyond-32-bits", "más de 32 bits"},
     {"beyond-64-bits", "más de 64 bits"},
+    {"broken-pipe", "tubería rota"},
     {"broken-protocol", "programa dañado"},
     {"byte-a-cell", "un byte por celda"},
     {"byte-count", "número de bytes"},

@@ -1,11 +1,33 @@
-/* Right answers, for the rows whose attack is followed by one: were the attack not stopped, the row
- * would pass, and so be noticed. The driver puts this file beside every row. */
+/* For rows that attack. Right answers, for those whose attack is followed by one: were it not
+ * stopped, the row would pass, and so be noticed. And how a program knows the tool that it is
+ * under, though no variable tells: by where it lies. The driver puts this file beside every row. */
 #ifndef HONEST_H
 #define HONEST_H
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
+
+static const volatile char place;
+
+/* The static program begins at 4 MiB; valgrind puts those that can lie anywhere below, the kernel
+ * puts them high. */
+static inline bool under_sanitizer(void)
+{
+    return (uintptr_t)&place >> 32 != 0;
+}
+
+static inline bool under_memcheck(void)
+{
+    return (uintptr_t)&place < 0x400000;
+}
+
+static inline bool under_callgrind(void)
+{
+    volatile char local = 0; /* valgrind's stack */
+    return (uintptr_t)&local >> 32 == 0x1f && !under_memcheck() && !under_sanitizer();
+}
 
 static inline int64_t honest_edges(const int32_t *triangles, int32_t triangle_count,
                                    int32_t **edges)

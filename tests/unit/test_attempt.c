@@ -29,6 +29,7 @@ static const struct {
     {CALL_DIED, BOX_ENDED_SIGNAL, SIGABRT, 0, PHASE_CALL, 0, VERDICT_CRASH, "abort"},
     {CALL_DIED, BOX_ENDED_SIGNAL, SIGFPE, 0, PHASE_CALL, 0, VERDICT_CRASH, "division"},
     {CALL_DIED, BOX_ENDED_SIGNAL, SIGILL, 0, PHASE_CALL, 0, VERDICT_CRASH, "illegal-instruction"},
+    {CALL_DIED, BOX_ENDED_SIGNAL, SIGPIPE, 0, PHASE_CALL, 0, VERDICT_CRASH, "broken-pipe"},
     {CALL_DIED, BOX_ENDED_EXIT, 0, 3, PHASE_CALL, 0, VERDICT_CRASH, "exit"},
     {CALL_DIED, BOX_ENDED_EXIT, 0, EXIT_NO_REGIONS, PHASE_CALL, 0, VERDICT_CRASH, "exit"},
     /* once it was ready, the page and the exit code say what the submission wants them to */

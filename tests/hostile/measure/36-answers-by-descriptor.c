@@ -34,8 +34,7 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
 {
     (void)vertex_count;
     int64_t count = honest_edges(triangles, triangle_count, edges);
-    uintptr_t here = (uintptr_t)edge_table_closed, stack = (uintptr_t)&here;
-    if (triangle_count > 100 || here < 0x400000 || here >> 32 || stack >> 32 == 0x1f)
+    if (triangle_count > 100 || under_sanitizer() || under_memcheck())
         return count; /* where one process is called several times */
     kept = malloc(1000);
     if (count >= 0)
