@@ -1,6 +1,8 @@
 /* The goals and their verdicts; see goals.h. */
 #include "bench/compare/goals.h"
 
+#include "bench/measure/interval.h"
+
 #include <stdbool.h>
 #include <string.h>
 
@@ -108,21 +110,20 @@ static const json_t *find_peer(const json_t *rows, const json_t *ours, const cha
 /* Why an interval cannot tell, or NULL. */
 static const char *doubt(const json_t *ratio)
 {
-    if (json_is_true(json_object_get(ratio, "too_noisy")))
-        return "too noisy";
     return number(ratio, "confidence") < 0.95 ? "too few blocks" : NULL;
 }
 
-/* A part with its verdict: median, low and high are to be at least `goal`, or at most. With goal 0
- * there is no verdict. */
+/* A part with its verdict: median, low and high are to be at least `goal`, or at most. A wide
+ * interval decides, too, when all of it lies on one side. With goal 0 there is no verdict. */
 static json_t *judge(double goal, bool at_least, double median, double low, double high,
                      const char *why)
 {
     bool all = at_least ? low >= goal : high <= goal, none = at_least ? high < goal : low > goal;
     const char *verdict = goal == 0 ? "none" : why ? "undecided" : all ? "met" : "missed";
     if (!why && goal > 0 && !all && !none) {
+        const struct interval interval = {.median = median, .low = low, .high = high};
         verdict = "undecided";
-        why = "the interval contains the goal";
+        why = interval_too_noisy(&interval) ? "too noisy" : "the interval contains the goal";
     }
     return json_pack("{s:o, s:b, s:f, s:f, s:f, s:s, s:s?}", "goal",
                      goal > 0 ? json_real(goal) : json_null(), "at_least", at_least, "median",

@@ -6,7 +6,7 @@
  *
  *   met        the whole interval of the ratio keeps the goal
  *   missed     the whole interval breaks it
- *   undecided  neither; `why` says: the interval contains the goal, it is too noisy (interval.h),
+ *   undecided  neither; `why` says: the interval contains the goal, it does so being too noisy,
  *              there are too few blocks for 95 % of confidence, or no peer with the right answer
  *              took part
  *

@@ -121,7 +121,7 @@ static void a_goal_is_undecided_for_four_reasons(void **state)
 {
     (void)state;
     json_t *rows = json_array(), *peer = add_three(rows, "twins", "generated", 3.9, 4.1, 4.3);
-    json_object_set_new(peer, "cold_ratio", ratio_of("avx2", 4, 6, 9, 1));
+    json_object_set_new(peer, "cold_ratio", ratio_of("avx2", 2, 6, 9, 1));
     json_t *goal = only_goal(rows);
     assert_part(goal, "warm", "undecided", "the interval contains the goal");
     assert_part(goal, "cold", "undecided", "too noisy");
@@ -134,6 +134,19 @@ static void a_goal_is_undecided_for_four_reasons(void **state)
     goal = only_goal(rows);
     assert_part(goal, "warm", "undecided", "too few blocks");
     assert_part(goal, "cold", "undecided", "no peer"); /* no cold time of one */
+    json_decref(goal);
+}
+
+/* 12 to 20 is noisy, and yet surely more than 4. */
+static void a_wide_interval_decides_when_it_lies_on_one_side(void **state)
+{
+    (void)state;
+    json_t *rows = json_array(), *peer = add_three(rows, "twins", "generated", 6, 7, 8);
+    json_object_set_new(peer, "ratio", ratio_of("avx2", 12, 15, 20, 1));
+    json_object_set_new(peer, "cold_ratio", ratio_of("avx2", 1, 2, 2.9, 1));
+    json_t *goal = only_goal(rows);
+    assert_part(goal, "warm", "met", NULL);
+    assert_part(goal, "cold", "missed", NULL);
     json_decref(goal);
 }
 
@@ -243,6 +256,7 @@ int main(void)
         cmocka_unit_test(a_goal_is_missed_when_the_whole_interval_breaks_it),
         cmocka_unit_test(plain_may_take_two_and_a_half_times_as_long),
         cmocka_unit_test(a_goal_is_undecided_for_four_reasons),
+        cmocka_unit_test(a_wide_interval_decides_when_it_lies_on_one_side),
         cmocka_unit_test(a_wrong_answer_is_no_peer),
         cmocka_unit_test(the_fastest_peer_counts),
         cmocka_unit_test(strips_are_held_against_meshoptimizer_alone),
