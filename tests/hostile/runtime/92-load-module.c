@@ -1,0 +1,17 @@
+/* Tries: to load a module into the kernel
+ * Stopped by: the seccomp filter of the run box
+ * expect: forbidden-operation, finit_module */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+#include "raw.h"
+
+#include <sys/syscall.h>
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    raw(SYS_finit_module, 0, (long)"", 0, 0);
+    (void)vertex_count;
+    return honest_edges(triangles, triangle_count, edges);
+}
