@@ -42,14 +42,15 @@ enum call {
     CALL_MKDIR,
     CALL_RENAME,
     CALL_FTRUNCATE,
+    CALL_FSYNC,
     CALL_CLOCK,
     CALL_KILL,
     CALL_COUNT
 };
 
 static const char *const names[CALL_COUNT] = {
-    "malloc",  "open",       "read",  "write",  "fork",      "mmap",  "memfd",
-    "syscall", "socketpair", "mkdir", "rename", "ftruncate", "clock", "kill"};
+    "malloc",     "open",  "read",   "write",     "fork",  "mmap",  "memfd", "syscall",
+    "socketpair", "mkdir", "rename", "ftruncate", "fsync", "clock", "kill"};
 
 static atomic_long counts[CALL_COUNT];
 static int chosen = -1;
@@ -205,6 +206,24 @@ size_t fwrite(const void *bytes, size_t size, size_t count, FILE *file)
     file->_flags |= _IO_ERR_SEEN; /* what ferror tells */
     return 0;
 }
+
+int fsync(int file)
+{
+    if (!strikes(CALL_FSYNC))
+        return REAL(fsync)(file);
+    errno = EIO;
+    return -1;
+}
+
+/* The names under which libraries of the distribution import the same calls. */
+int open64(const char *path, int flags, ...) __attribute__((alias("open")));
+FILE *fopen64(const char *path, const char *mode) __attribute__((alias("fopen")));
+ssize_t pread64(int file, void *bytes, size_t count, off_t offset) __attribute__((alias("pread")));
+ssize_t pwrite64(int file, const void *bytes, size_t count, off_t offset)
+    __attribute__((alias("pwrite")));
+int ftruncate64(int file, off_t bytes) __attribute__((alias("ftruncate")));
+void *mmap64(void *at, size_t bytes, int protection, int flags, int file, off_t offset)
+    __attribute__((alias("mmap")));
 
 int ftruncate(int file, off_t bytes)
 {
