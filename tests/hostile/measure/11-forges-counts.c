@@ -1,5 +1,6 @@
 /* Tries: to write the count box's dump itself, and to keep valgrind from writing over it
- * Stopped by: the dumps are there before the submission, which can neither replace nor close them
+ * Stopped by: callgrind empties a dump when it opens it; the submission can neither replace nor close
+ * them before
  * expect: grows-too-fast, n^2
  * expect(landlock+other-user): crash, exit */
 #define _GNU_SOURCE
