@@ -56,7 +56,7 @@ static void every_program_counts(void **state)
     (void)state;
     /* as in a full run: the first job has no peers, the others share one */
     struct job *jobs = calloc(3, sizeof *jobs);
-    const struct plan plan = {jobs, 3};
+    const struct plan plan = {.jobs = jobs, .job_count = 3};
     assert_non_null(jobs);
     for (int i = 0; i < 3; i++)
         add(&jobs[i], CONTENDER_KERNEL, paths[0]);
@@ -80,7 +80,7 @@ static void what_is_not_started_does_not_count(void **state)
 {
     char before[FINGERPRINT_BYTES], after[FINGERPRINT_BYTES];
     (void)state;
-    const struct plan plan = {NULL, 0};
+    const struct plan plan = {.jobs = NULL, .job_count = 0};
     fingerprint_write(&plan, paths[0], &machine, before);
     fill(1, "another peer");
     fingerprint_write(&plan, paths[0], &machine, after);
