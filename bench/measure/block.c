@@ -79,7 +79,7 @@ static void read_greeting(struct block *block, int program)
     struct error err = {""};
     char *rest = NULL;
     if (process_read(process, block->plan->seconds, &err) != 0) {
-        snprintf(result->refused, sizeof result->refused, "%s", err.text);
+        snprintf(result->refused, sizeof result->refused, "%.*s", BLOCK_TEXT - 1, err.text);
     } else if (strncmp(process->line, "ready", 5) != 0) {
         const char *why =
             strncmp(process->line, "refused ", 8) == 0 ? process->line + 8 : "no greeting";
@@ -122,7 +122,7 @@ static void ask(struct block *block, int program, struct block_measure *measure,
     struct process *process = &block->processes[program];
     struct error err = {""};
     if (process_ask(process, verb, measure->operation, block->plan->seconds, &err) != 0) {
-        snprintf(error, BLOCK_TEXT, "%s", err.text);
+        snprintf(error, BLOCK_TEXT, "%.*s", BLOCK_TEXT - 1, err.text);
         process_stop(process, 0);
     } else if (strncmp(process->line, "error ", 6) == 0) {
         snprintf(error, BLOCK_TEXT, "%.*s", BLOCK_TEXT - 1, process->line + 6);
