@@ -6,21 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);
-
-static void check_refusal(const struct refusal *refusal)
-{
-    bool has_text = refusal->cause[0] && refusal->message[0] && refusal->message_es[0];
-    if (refusal->refused != has_text)
-        abort();
-}
-
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count)
+static void try_screen(const uint8_t *bytes, size_t count, bool sanitized)
 {
     static const char *const functions[] = {"edge_table_any", NULL};
-    const struct screen_rules rules = {functions, 1 << 20};
+    const struct screen_rules rules = {functions, 1 << 20, sanitized};
     struct screen screen;
-    struct policy policy;
     if (screen_object(bytes, count, &rules, &screen, NULL))
         abort();
     check_refusal(&screen.refusal);
@@ -31,6 +21,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count)
         (!screen.refusal.refused && screen.static_bytes > rules.static_limit_bytes))
         abort();
     screen_release(&screen);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count)
+{
+    struct policy policy;
+    try_screen(bytes, count, false);
+    try_screen(bytes, count, true);
     policy_check((const char *)bytes, count, "/public", &policy);
     check_refusal(&policy.refusal);
     return 0;
