@@ -6,6 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);
+
+static void check_refusal(const struct refusal *refusal)
+{
+    bool has_text = refusal->cause[0] && refusal->message[0] && refusal->message_es[0];
+    if (refusal->refused != has_text)
+        abort();
+}
+
 static void try_screen(const uint8_t *bytes, size_t count, bool sanitized)
 {
     static const char *const functions[] = {"edge_table_any", NULL};
