@@ -186,6 +186,7 @@ build/peers/%.o: bench/peers/%.cpp
 RUNNER_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O2 -g -fno-sanitize=all $(WARNINGS)
 RUNNER_PARTS := $(patsubst %.c,%,$(notdir $(wildcard graders/runner/*.c)))
 SHIM := malloc calloc realloc free aligned_alloc posix_memalign memalign valloc
+RUNNER_NAMES := main $(SHIM:%=__wrap_%) __ubsan_default_options
 FLAVOUR_plain :=
 FLAVOUR_sanitized := -DRUNNER_WITHOUT_SHIM
 FLAVOUR_checked := -DRUNNER_WITHOUT_SHIM
@@ -207,7 +208,7 @@ build/runner/$(2)/$(1).o: graders/runner/$(1).c
 	$$(call SHOW,CC  $$<)$$(CC) $$(RUNNER_FLAGS) -Iexercises/$(1) $$(FLAVOUR_$(2)) $$(DEPENDENCIES) -c $$< -o $$@
 build/runner/$(notdir $(1)).$(2).o: build/runner/$(2)/$(1).o $(RUNNER_PARTS:%=build/runner/$(2)/%.o)
 	@ld -r $$^ -o $$@.tmp
-	@objcopy --keep-global-symbol=main $(SHIM:%=--keep-global-symbol=__wrap_%) \
+	@objcopy $(RUNNER_NAMES:%=--keep-global-symbol=%) \
 	$$@.tmp $$@
 	@rm $$@.tmp
 endef

@@ -14,14 +14,12 @@ enum { TOOL_MEMORY_BYTES = 1 << 30, CPU_SECONDS = 600, TOOL_ARGUMENTS = 14 };
 
 /* A tool that finds an error ends the program itself, at once, with this code: abort() could be
  * caught by the program, which would then go on. Signals of faults go to the tool, not to handlers
- * of the program. */
-#define FOUND "86"
+ * of the program. UBSan has its options from the runner (seclude.c). */
+#define FOUND EXIT_TOOL_FOUND
 _Static_assert(SERIES_FOUND == 86, "the tools are told the code as text");
 static const char ASAN_OPTIONS[] =
     "ASAN_OPTIONS=detect_leaks=0:abort_on_error=0:exitcode=" FOUND ":handle_segv=2:handle_sigbus=2:"
     "handle_sigfpe=2:color=never:allocator_may_return_null=1:detect_stack_use_after_return=0";
-static const char UBSAN_OPTIONS[] =
-    "UBSAN_OPTIONS=abort_on_error=0:exitcode=" FOUND ":color=never:print_stacktrace=0";
 
 /* How each tool is run. Programs are named relative to /work, so that their counts do not depend on
  * the host's paths; callgrind would make a relative name absolute, and its user may not pass all
@@ -47,8 +45,7 @@ static const struct {
     [SERIES_SANITIZER] = {PROGRAM_SANITIZED,
                           MODE_PLAIN,
                           {"./sanitized", NULL},
-                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp", ASAN_OPTIONS,
-                           UBSAN_OPTIONS, NULL}},
+                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp", ASAN_OPTIONS, NULL}},
     [SERIES_MEMCHECK] = {PROGRAM_CHECKED,
                          MODE_MEMCHECK,
                          {"/usr/bin/valgrind", "-q", "--tool=memcheck", "--vgdb=no",

@@ -20,6 +20,9 @@ enum { CONTROL_BYTES = 4096 };
  * must not have. Either comes before it says that it is ready, or was not said by the runner. */
 enum { EXIT_NO_REGIONS = 99, EXIT_NOT_SECLUDED = 97 };
 
+/* The exit code by which a tool tells that it found an error, as text for its options. */
+#define EXIT_TOOL_FOUND "86"
+
 /* In done_index, by the engine: the runner is not ready yet. Ready is 0, as after no call. */
 enum { NOT_READY = UINT32_MAX };
 
