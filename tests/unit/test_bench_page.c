@@ -190,8 +190,8 @@ static void test_peers_are_counted_by_their_intervals(void **state)
     json_object_set_new(json_object_get(once, "ratio"), "confidence", json_real(0));
     json_array_append_new(rows, once);
     struct study study = study_of(rows);
-    assert_says(&figure_peers, &study, "In 1 of 5 comparisons");
-    assert_says(&figure_peers, &study, "in 1 it is faster, and 3 are undecided");
+    assert_says(&figure_peers, &study, "In 2 of 5 comparisons");
+    assert_says(&figure_peers, &study, "in 1 it is faster, and 2 are undecided");
     assert_says(&figure_peers, &study, "from 0.50 (Quick, area, on torus-100k-generated) to 30");
     study_release(&study);
 }

@@ -106,8 +106,10 @@ static void finding(const struct study *study, FILE *to)
         if (!study_matches(row, &peers) || !(median > 0))
             continue;
         count++;
-        bool is_slower = study_is_decided(ratio) && study_number(ratio, "low") > 1;
-        bool is_faster = study_is_decided(ratio) && study_number(ratio, "high") < 1;
+        /* a wide interval says little of how much, and yet on which side of 1 it lies */
+        bool is_sure = study_number(ratio, "confidence") >= STUDY_CONFIDENCE;
+        bool is_slower = is_sure && study_number(ratio, "low") > 1;
+        bool is_faster = is_sure && study_number(ratio, "high") < 1;
         slower += is_slower;
         faster += is_faster;
         undecided += !is_slower && !is_faster;

@@ -99,8 +99,7 @@ double study_time(const json_t *row)
 
 bool study_is_decided(const json_t *ratio)
 {
-    const double enough = 0.95;
-    return study_number(ratio, "confidence") >= enough &&
+    return study_number(ratio, "confidence") >= STUDY_CONFIDENCE &&
            !json_is_true(json_object_get(ratio, "too_noisy"));
 }
 

@@ -35,8 +35,10 @@ double study_number(const json_t *object, const char *key);
  * has none. */
 double study_time(const json_t *row);
 
-/* Whether an interval says anything: a ratio that is not too noisy, from blocks enough for 95 %
- * confidence. */
+/* What an interval's confidence must be to decide anything. */
+#define STUDY_CONFIDENCE 0.95
+
+/* Whether a ratio can be told as a number: not too noisy, and with confidence. */
 bool study_is_decided(const json_t *ratio);
 
 /* -- rows -------------------------------------------------------------------------------------- */
