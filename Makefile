@@ -263,7 +263,7 @@ validate: all ## every known-verdict submission gets its verdict
 demo: all ## grade a class of real submissions; the report is build/demo/index.html
 	@tests/demo-class.sh build/demo-class
 	@code=0; build/meshgrade grade build/demo-class/folders build/demo-class/*.zip build/demo-class/*.tar.gz \
-	  -o build/demo || code=$$?; [ $$code -le 1 ]
+	  -o build/demo --seed 2026 || code=$$?; [ $$code -le 1 ]
 
 bench-grader: all ## what a verdict costs, and where the time goes
 	@tests/bench-grader.sh

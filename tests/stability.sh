@@ -80,7 +80,7 @@ marks=0 counts=0 short=0
 for ((run = 0; run < runs; run++)); do
     surround "$run"
     failed=no
-    (cd "$folder" && "${with[@]}" "$root/build/meshgrade" grade "$work"/class/* -o "$folder/out" \
+    (cd "$folder" && "${with[@]}" "$root/build/meshgrade" grade "$work"/class/* --seed 1 -o "$folder/out" \
         --no-pictures >/dev/null 2>"$work/log") || [ $? -le 1 ] || { cat "$work/log"; failed=yes; }
     stop_busy
     python3 tests/stability_facts.py "$folder/out/results" "$work/marks$run" "$work/counts$run"

@@ -39,7 +39,7 @@ int growth_class_find(const char *name, enum growth_class *class)
     return -1;
 }
 
-static double growth_term(int class, double n)
+double growth_term(enum growth_class class, double n)
 {
     switch (class) {
     case GROWTH_CONSTANT:
@@ -90,7 +90,7 @@ static bool add_column(struct basis *basis, const struct mixture *m, int class)
     const int k = basis->terms, points = basis->points;
     double *q = basis->column[k];
     for (int i = 0; i < points; i++)
-        q[i] = growth_term(class, m->n[i]) / m->y[i];
+        q[i] = growth_term((enum growth_class) class, m->n[i]) / m->y[i];
     basis->scale[k] = 1 / sqrt(dot(q, q, points));
     for (int i = 0; i < points; i++)
         q[i] *= basis->scale[k];

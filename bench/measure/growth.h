@@ -46,6 +46,9 @@ const char *growth_class_name(enum growth_class class);
 /* The class of that name. Returns 0, or -1 when there is none that can be allowed. */
 int growth_class_find(const char *name, enum growth_class *class) MUST_CHECK;
 
+/* The class's term at n: 1, n, n lg n, ... */
+double growth_term(enum growth_class class, double n);
+
 enum growth_decision {
     GROWTH_PASS,
     GROWTH_FAIL,

@@ -12,7 +12,8 @@
 
 struct request {
     bool quick, json, all, times;
-    const char *only_case, *language, *without;
+    const char *only_case, *language, *without, *seed_text;
+    uint32_t seed;
 };
 
 static int exit_code_of(const json_t *result)
@@ -33,7 +34,7 @@ static bool has_case(const char *exercise, const char *name)
 }
 
 /* The text to repeat a case names the student's own files. */
-static void name_files(json_t *result, char **files, int count)
+static void name_files(json_t *result, char **files, int count, uint32_t seed)
 {
     size_t index;
     json_t *entry;
@@ -45,8 +46,11 @@ static void name_files(json_t *result, char **files, int count)
         for (int i = 0; i < count && used < sizeof text; i++)
             used += (size_t)snprintf(text + used, sizeof text - used, " %s", files[i]);
         if (used < sizeof text)
-            snprintf(text + used, sizeof text - used, " --case %s",
-                     json_string_value(json_object_get(entry, "name")));
+            used += (size_t)snprintf(text + used, sizeof text - used, " --case %s",
+                                     json_string_value(json_object_get(entry, "name")));
+        if (used < sizeof text && seed != SEED_PUBLISHED &&
+            !json_is_true(json_object_get(entry, "public")))
+            snprintf(text + used, sizeof text - used, " --seed %u", seed);
         json_t *named = json_string(text);
         if (named)
             json_object_set_new(entry, "reproduce", named);
@@ -76,7 +80,7 @@ static int check(const struct exercise *exercise, const struct upload *upload,
         return score_without_trial(exercise, &submitter, VERDICT_COMPILE_ERROR, &upload->refusal,
                                    outcome, err);
     bool uncounted = request->quick || request->only_case;
-    int result = yardstick_make(&yardstick, exercise, uncounted, err);
+    int result = yardstick_make(&yardstick, exercise, request->seed, uncounted, err);
     if (result == 0)
         result = grade_submission(&yardstick, upload, &scope, outcome, err);
     if (result == 0 && request->times)
@@ -129,7 +133,7 @@ static int run_files(const struct exercise *exercise, char **files, int count,
         check(exercise, &upload, request, &outcome, &err) != 0) {
         code = report_fault(&err);
     } else {
-        name_files(outcome.result, files, count);
+        name_files(outcome.result, files, count, request->seed);
         code = show(request, outcome.result);
     }
     outcome_release(&outcome);
@@ -145,6 +149,8 @@ static int run(int argc, char **argv)
          &request.quick},
         {"all", 0, NULL, "also the cases that are not public", NULL, &request.all},
         {"case", 0, "NAME", "only this case", &request.only_case, NULL},
+        {"seed", 0, "N", "the cases that are not public as a class of this seed had them",
+         &request.seed_text, NULL},
         {"lang", 0, "en|es", "language of the report (default: by LANG)", &request.language, NULL},
         {"json", 0, NULL, "the result as JSON", NULL, &request.json},
         {"without", 0, "LAYERS", "leave protections out, to test the others (see doctor)",
@@ -158,7 +164,8 @@ static int run(int argc, char **argv)
         fprintf(stderr, "usage: meshgrade check [options] EXERCISE FILE...\n");
         return EXIT_USAGE;
     }
-    if (use_layers(request.without) != 0)
+    if (use_layers(request.without) != 0 ||
+        options_seed(request.seed_text, SEED_PUBLISHED, &request.seed) != 0)
         return EXIT_USAGE;
     if (load_exercises(&exercises, &count) != 0)
         return EXIT_FAULT;

@@ -45,7 +45,8 @@ static void add_grading(struct finding *findings, int *count)
     *counting = (struct finding){.name = "counted work (valgrind)"};
     const char *root = project_root(&err);
     if (root && exercises_read(root, &exercises, &exercise_count, &err) == 0) {
-        grading->works = yardstick_make(&yardstick, &exercises[0], false, &err) == 0;
+        grading->works =
+            yardstick_make(&yardstick, &exercises[0], SEED_PUBLISHED, false, &err) == 0;
         counting->works = grading->works && yardstick.probes.valgrind;
         snprintf(counting->reason, sizeof counting->reason, "%s", yardstick.probes.valgrind_reason);
         yardstick_release(&yardstick);

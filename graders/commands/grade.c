@@ -11,7 +11,8 @@
 #include <unistd.h>
 
 struct request {
-    const char *out, *jobs, *exercise, *only, *without;
+    const char *out, *jobs, *exercise, *only, *without, *seed_text;
+    uint32_t seed; /* SEED_PUBLISHED: none asked for */
     bool regrade, apply, no_pictures, json;
 };
 
@@ -104,6 +105,8 @@ static int grade(struct classroom *classroom, const struct request *request, str
     classroom->store = &store;
     classroom->changes = json_array();
     if (result == 0)
+        result = store_seed(&store, request->seed, &classroom->seed, err);
+    if (result == 0)
         result = use_scratch(request->out, err);
     if (result == 0)
         result = classroom_grade(classroom, err);
@@ -171,6 +174,8 @@ static int run(int argc, char **argv)
         {"rejudge", 0, NULL, "grade again what is graded, and show what would change", NULL,
          &request.regrade},
         {"apply", 0, NULL, "with --rejudge: store the changes", NULL, &request.apply},
+        {"seed", 0, "N", "seed of what is not public (default: FOLDER's, a new one is drawn)",
+         &request.seed_text, NULL},
         {"no-pictures", 0, NULL, "leave the pictures for meshgrade report", NULL,
          &request.no_pictures},
         {"without", 0, "LAYERS", "leave protections out, to test the others (see doctor)",
@@ -184,7 +189,8 @@ static int run(int argc, char **argv)
         fprintf(stderr, "usage: meshgrade grade [options] PATH... -o FOLDER\n");
         return EXIT_USAGE;
     }
-    if (use_layers(request.without) != 0)
+    if (use_layers(request.without) != 0 ||
+        options_seed(request.seed_text, SEED_PUBLISHED, &request.seed) != 0)
         return EXIT_USAGE;
     if (load_exercises(&exercises, &count) != 0)
         return EXIT_FAULT;

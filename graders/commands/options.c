@@ -89,3 +89,15 @@ long options_number(const char *name, const char *text, long least, long absent)
     }
     return number;
 }
+
+int options_seed(const char *text, uint32_t absent, uint32_t *seed)
+{
+    long number = options_number("seed", text, 1, (long)absent);
+    if (number > (long)UINT32_MAX) {
+        fprintf(stderr, "meshgrade: --seed %s: expected a whole number of at most %lu\n", text,
+                (unsigned long)UINT32_MAX);
+        number = -1;
+    }
+    *seed = number >= 0 ? (uint32_t)number : 0;
+    return number >= 0 ? 0 : -1;
+}

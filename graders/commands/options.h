@@ -4,6 +4,7 @@
 #define GRADERS_COMMANDS_OPTIONS_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 /* Exit codes of the program. */
 enum { EXIT_PASSED = 0, EXIT_NOT_PASSED = 1, EXIT_FAULT = 2, EXIT_USAGE = 64 };
@@ -32,6 +33,10 @@ int options_parse(const struct command *command, const struct option_rule *rules
 
 /* A whole number of at least `least`; complains and returns -1 otherwise. `text` NULL: `absent`. */
 long options_number(const char *name, const char *text, long least, long absent);
+
+/* The number after --seed: 1 to 4294967295; `text` NULL: `absent`. Returns 0, or -1 after saying
+ * what is wrong. */
+int options_seed(const char *text, uint32_t absent, uint32_t *seed);
 
 extern const struct command command_list, command_start, command_check, command_grade,
     command_report, command_export, command_validate, command_doctor, command_bench,

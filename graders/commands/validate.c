@@ -129,7 +129,7 @@ static int compare(const struct exercise *exercise, struct store *store,
     return 0;
 }
 
-static int validate(const struct exercise *exercise, long jobs, struct tally *tally,
+static int validate(const struct exercise *exercise, uint32_t seed, long jobs, struct tally *tally,
                     struct error *err)
 {
     struct upload_list list = {0};
@@ -145,6 +145,7 @@ static int validate(const struct exercise *exercise, long jobs, struct tally *ta
                                   .exercise_count = 1,
                                   .uploads = &list,
                                   .store = &store,
+                                  .seed = seed,
                                   .job_count = (int)jobs};
     if (result == 0)
         result = classroom_grade(&classroom, err);
@@ -159,10 +160,13 @@ static int validate(const struct exercise *exercise, long jobs, struct tally *ta
 
 static int run(int argc, char **argv)
 {
-    const char *jobs_text = NULL;
+    const char *jobs_text = NULL, *seed_text = NULL;
+    uint32_t seed;
     struct tally tally = {0};
     const struct option_rule rules[] = {
         {"jobs", 'j', "N", "submissions at a time (default: one a core)", &jobs_text, NULL},
+        {"seed", 0, "N", "as a class of this seed is graded (default: the published seeds)",
+         &seed_text, NULL},
         {"verbose", 'v', NULL, "a line also for what is as expected", NULL, &tally.verbose},
         {0}};
     struct exercise *exercises = NULL;
@@ -170,13 +174,14 @@ static int run(int argc, char **argv)
     int count, code = EXIT_USAGE;
     int at = options_parse(&command_validate, rules, argc, argv);
     long jobs = options_number("jobs", jobs_text, 1, sysconf(_SC_NPROCESSORS_ONLN));
-    if (at < 0 || jobs < 0 || load_exercises(&exercises, &count) != 0)
+    if (at < 0 || jobs < 0 || options_seed(seed_text, SEED_PUBLISHED, &seed) != 0 ||
+        load_exercises(&exercises, &count) != 0)
         return EXIT_USAGE;
     if (at >= argc || need_exercise(exercises, count, argv[at])) {
         int result = 0;
         for (int i = 0; i < count && result == 0; i++)
             if (at >= argc || strcmp(exercises[i].name, argv[at]) == 0)
-                result = validate(&exercises[i], jobs, &tally, &err);
+                result = validate(&exercises[i], seed, jobs, &tally, &err);
         printf("%d submissions as expected, %d not\n", tally.met, tally.missed);
         code = result != 0 ? report_fault(&err) : tally.missed ? EXIT_NOT_PASSED : EXIT_PASSED;
     }

@@ -247,10 +247,10 @@ static void close_lesson(struct lesson *lesson)
     lesson->made = false;
 }
 
-static int open_lesson(struct lesson *lesson, struct error *err)
+static int open_lesson(struct lesson *lesson, uint32_t seed, struct error *err)
 {
     lesson->made = true; /* what was made in part is released, too */
-    if (yardstick_make(&lesson->yardstick, lesson->exercise, false, err) != 0)
+    if (yardstick_make(&lesson->yardstick, lesson->exercise, seed, false, err) != 0)
         return -1;
     return yardstick_make_cases(&lesson->yardstick, false, err);
 }
@@ -270,7 +270,7 @@ static int start_next(struct classroom *classroom, struct plan *plan, struct job
                       struct error *err)
 {
     struct lesson *lesson = &plan->lessons[plan->open];
-    if (!lesson->made && open_lesson(lesson, err) != 0)
+    if (!lesson->made && open_lesson(lesson, classroom->seed, err) != 0)
         return -1;
     *job = (struct job){.lesson = plan->open, .upload = lesson->uploads[lesson->next++]};
     lesson->running++;

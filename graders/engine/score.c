@@ -109,7 +109,7 @@ static json_t *not_measured_json(const struct trial *trial)
 static json_t *engine_json(const struct trial *trial)
 {
     char seed[32];
-    snprintf(seed, sizeof seed, "%llu", (unsigned long long)trial->yardstick->seed);
+    snprintf(seed, sizeof seed, "%u", trial->yardstick->class_seed);
     return json_pack("{s:s, s:s, s:s}", "version", MESHGRADE_VERSION, "compiler",
                      "gcc " __VERSION__, "seed", seed);
 }
@@ -133,6 +133,15 @@ static void describe_scene(const struct trial *trial, size_t index, const char *
                                   "student", student));
 }
 
+/* A case with a seed of the class is only made again with the class's number. */
+static void write_seed_option(const struct yardstick *yardstick, const struct judge_case *c,
+                              char *text, size_t capacity)
+{
+    size_t used = strlen(text);
+    if (yardstick->class_seed != SEED_PUBLISHED && !c->is_public && used < capacity)
+        snprintf(text + used, capacity - used, " --seed %u", yardstick->class_seed);
+}
+
 static json_t *case_json(struct trial *trial, size_t index, const struct submitter *submitter,
                          json_t *scenes)
 {
@@ -143,6 +152,7 @@ static json_t *case_json(struct trial *trial, size_t index, const struct submitt
     char seed[32], reproduce[256], picture[512];
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)c->seed);
     snprintf(reproduce, sizeof reproduce, "meshgrade check %s FILE --case %s", exercise, c->name);
+    write_seed_option(trial->yardstick, c, reproduce, sizeof reproduce);
     json_t *json =
         json_pack("{s:s, s:s, s:s, s:s, s:o, s:s, s:b, s:s}", "name", c->name, "class",
                   c->class_name, "verdict", verdict_name(attempt->verdict), "cause", attempt->cause,

@@ -3,15 +3,17 @@
 
 #include "graders/engine/files.h"
 
+#include <errno.h>
 #include <glob.h>
 #include <limits.h>
 #include <nettle/sha2.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 #include <unistd.h>
 
-enum { STORE_VERSION = 2 };
+enum { STORE_VERSION = 3 };
 
 static const char SCHEMA[] = "BEGIN IMMEDIATE;"
                              "CREATE TABLE IF NOT EXISTS result ("
@@ -19,7 +21,10 @@ static const char SCHEMA[] = "BEGIN IMMEDIATE;"
                              " digest TEXT NOT NULL, result TEXT NOT NULL, scenes TEXT NOT NULL,"
                              " seal TEXT NOT NULL,"
                              " PRIMARY KEY (student_folder, exercise));"
-                             "PRAGMA user_version = 2;"
+                             "CREATE TABLE IF NOT EXISTS class ("
+                             " one INTEGER PRIMARY KEY CHECK (one = 1),"
+                             " seed TEXT NOT NULL, seal TEXT NOT NULL);"
+                             "PRAGMA user_version = 3;"
                              "COMMIT;";
 
 static int complain(const struct store *store, struct error *err)
@@ -108,6 +113,76 @@ static void seal_row(const char *const columns[SEAL], char seal[STORE_DIGEST])
         add_part(&hash, columns[i], strlen(columns[i]));
     finish_digest(&hash, seal);
 }
+
+/* ------------------------------------------------------------------- seed */
+
+static void seal_seed(const char *seed, char seal[STORE_DIGEST])
+{
+    struct sha256_ctx hash;
+    sha256_init(&hash);
+    add_part(&hash, seed, strlen(seed));
+    finish_digest(&hash, seal);
+}
+
+/* Keeps a seed, unless there is one. */
+static int put_seed(struct store *store, uint32_t seed, struct error *err)
+{
+    char text[16], seal[STORE_DIGEST];
+    sqlite3_stmt *insert = NULL;
+    snprintf(text, sizeof text, "%u", seed);
+    seal_seed(text, seal);
+    if (sqlite3_prepare_v2(store->database, "INSERT OR IGNORE INTO class VALUES (1, ?1, ?2)", -1,
+                           &insert, NULL) != SQLITE_OK)
+        return complain(store, err);
+    sqlite3_bind_text(insert, 1, text, -1, SQLITE_STATIC);
+    sqlite3_bind_text(insert, 2, seal, -1, SQLITE_STATIC);
+    int result = sqlite3_step(insert) == SQLITE_DONE ? 0 : complain(store, err);
+    sqlite3_finalize(insert);
+    return result;
+}
+
+static int read_seed(struct store *store, uint32_t *seed, struct error *err)
+{
+    sqlite3_stmt *query = NULL;
+    char seal[STORE_DIGEST];
+    if (sqlite3_prepare_v2(store->database, "SELECT seed, seal FROM class", -1, &query, NULL) !=
+        SQLITE_OK)
+        return complain(store, err);
+    bool found = sqlite3_step(query) == SQLITE_ROW;
+    const char *text = found ? (const char *)sqlite3_column_text(query, 0) : NULL;
+    const char *stored = found ? (const char *)sqlite3_column_text(query, 1) : NULL;
+    int result = -1;
+    if (text && stored)
+        seal_seed(text, seal);
+    if (text && stored && strcmp(seal, stored) == 0) {
+        *seed = (uint32_t)strtoul(text, NULL, 10);
+        result = 0;
+    } else {
+        error_set(err, "meshgrade.sqlite: the seed of the class is damaged (move the file away to "
+                       "grade the class anew)");
+    }
+    sqlite3_finalize(query);
+    return result;
+}
+
+int store_seed(struct store *store, uint32_t wanted, uint32_t *seed, struct error *err)
+{
+    uint32_t drawn = wanted;
+    while (drawn == SEED_PUBLISHED)
+        if (getrandom(&drawn, sizeof drawn, 0) != sizeof drawn)
+            return error_set(err, "no random number for the seed of the class: %s",
+                             strerror(errno));
+    if (put_seed(store, drawn, err) != 0 || read_seed(store, seed, err) != 0)
+        return -1;
+    if (wanted != SEED_PUBLISHED && wanted != *seed)
+        return error_set(err,
+                         "--seed %u: the results in this folder are of seed %u; leave --seed out, "
+                         "or take another folder",
+                         wanted, *seed);
+    return 0;
+}
+
+/* -------------------------------------------------------------------- read */
 
 /* The texts of a row, borrowed from the statement. Returns 0, or -1 and *err when it is damaged. */
 static int read_row(sqlite3_stmt *query, const char *columns[COLUMNS], struct error *err)

@@ -19,6 +19,13 @@ struct store {
 int store_open(struct store *store, const char *out, struct error *err) MUST_CHECK;
 void store_close(struct store *store);
 
+/* The seed of the class (yardstick.h), which its first grading draws and all others keep, so that
+ * the same files get the same marks.
+ *
+ * wanted   the seed to grade with, or SEED_PUBLISHED: the store's own, or one drawn anew
+ * returns  0, or -1 and *err: results of another seed are in the store, or it is damaged */
+int store_seed(struct store *store, uint32_t wanted, uint32_t *seed, struct error *err) MUST_CHECK;
+
 /* The stored result of a submission.
  *
  * digest   of the files that were graded (store_digest); NULL: any

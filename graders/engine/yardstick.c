@@ -5,6 +5,7 @@
 #include "graders/engine/count.h"
 #include "graders/engine/files.h"
 #include "graders/judges/table.h"
+#include "reference/mesh/random.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,6 +14,39 @@
 enum { EXTRA_DOUBLINGS = 2 /* when the first sizes leave the growth undecided */ };
 static const uint64_t SIZED_SEED = 20260411;
 static const struct call_limits reference_limits = {60000000000LL, 10000000000LL};
+
+/* ------------------------------------------------------------------- seeds */
+
+/* A seed that only the class's number leads to. */
+static uint64_t mix_seed(uint64_t published, uint32_t class_seed)
+{
+    struct random rng;
+    random_init(&rng, published ^ (uint64_t)class_seed << 32);
+    return random_next(&rng);
+}
+
+/* The judge with its own copy of the cases, those that are not public under seeds of the class. */
+static int seed_judge(struct yardstick *yardstick, const struct judge *judge, uint32_t class_seed,
+                      struct error *err)
+{
+    yardstick->seeded_cases = calloc(judge->case_count, sizeof *yardstick->seeded_cases);
+    if (!yardstick->seeded_cases)
+        return error_set(err, "out of memory for %zu cases", judge->case_count);
+    memcpy(yardstick->seeded_cases, judge->cases,
+           judge->case_count * sizeof *yardstick->seeded_cases);
+    yardstick->seed = SIZED_SEED;
+    if (class_seed != SEED_PUBLISHED) {
+        yardstick->seed = mix_seed(SIZED_SEED, class_seed);
+        for (size_t i = 0; i < judge->case_count; i++)
+            if (!judge->cases[i].is_public)
+                yardstick->seeded_cases[i].seed = mix_seed(judge->cases[i].seed, class_seed);
+    }
+    yardstick->class_seed = class_seed;
+    yardstick->seeded = *judge;
+    yardstick->seeded.cases = yardstick->seeded_cases;
+    yardstick->judge = &yardstick->seeded;
+    return 0;
+}
 
 /* ------------------------------------------------------------------ inputs */
 
@@ -177,8 +211,8 @@ static int allocate(struct yardstick *yardstick, struct error *err)
     return 0;
 }
 
-int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise, bool quick,
-                   struct error *err)
+int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise,
+                   uint32_t class_seed, bool quick, struct error *err)
 {
     memset(yardstick, 0, sizeof *yardstick);
     for (int kind = 0; kind < PROGRAM_COUNT; kind++)
@@ -188,12 +222,12 @@ int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise,
             yardstick->sized[family][i].region.fd = -1;
     yardstick->exercise = exercise;
     yardstick->quick = quick;
-    yardstick->seed = SIZED_SEED;
-    yardstick->judge = judge_find(exercise->name);
-    if (!yardstick->judge)
+    const struct judge *judge = judge_find(exercise->name);
+    if (!judge)
         return error_set(err, "exercise %s: this program has no judge for it", exercise->name);
     const char *root = project_root(err);
-    if (!root || allocate(yardstick, err) != 0 || build_reference(yardstick, err) != 0)
+    if (!root || seed_judge(yardstick, judge, class_seed, err) != 0 ||
+        allocate(yardstick, err) != 0 || build_reference(yardstick, err) != 0)
         return -1;
     snprintf(yardstick->models, sizeof yardstick->models, "%s/exercises/models", root);
     yardstick->probes.valgrind = count_available(yardstick->probes.valgrind_reason,
@@ -212,6 +246,7 @@ void yardstick_release(struct yardstick *yardstick)
             region_release(&yardstick->sized[family][i].region);
     free(yardstick->cases);
     free(yardstick->reference_cpu_ns);
+    free(yardstick->seeded_cases);
     build_release(&yardstick->reference);
     memset(yardstick, 0, sizeof *yardstick);
 }

@@ -35,9 +35,16 @@ struct probes {
     char valgrind_reason[160]; /* why not */
 };
 
+/* The seeds of a class. A number of 1 or more gives the cases that are not public, and the meshes
+ * on which work is counted, seeds of their own, which nobody knows beforehand: tables of answers or
+ * orders that fit the published seeds gain nothing. The same number gives the same meshes. */
+enum { SEED_PUBLISHED = 0 /* the seeds in the judges' source: what `check` uses at home */ };
+
 struct yardstick {
     const struct exercise *exercise;
-    const struct judge *judge;
+    const struct judge *judge; /* &seeded */
+    struct judge seeded;       /* the exercise's judge, with the cases below */
+    struct judge_case *seeded_cases;
     struct probes probes;
     char models[PATH_MAX];
     struct build reference;
@@ -48,17 +55,19 @@ struct yardstick {
     struct input sized[FAMILIES_MAX][SIZES_MAX];
     struct cost costs[FAMILIES_MAX][SIZES_MAX]; /* of the reference */
     uint64_t seed;                              /* of the sized inputs */
+    uint32_t class_seed;                        /* SEED_PUBLISHED or the class's own */
     bool quick;                                 /* made for `check --quick`: nothing is counted */
 };
 
 /* Builds and counts the reference.
  *
  * exercise   borrowed for the yardstick's life
+ * class_seed SEED_PUBLISHED, or the class's own
  * quick      true: leave the counting out
  * returns    0, or -1 and *err (a fault: the reference must build, run and be accepted);
  *            yardstick_release must follow in both cases */
-int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise, bool quick,
-                   struct error *err) MUST_CHECK;
+int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise,
+                   uint32_t class_seed, bool quick, struct error *err) MUST_CHECK;
 
 /* The input of a case; makes it, and runs the reference on it, when that was not done yet. */
 int yardstick_case(struct yardstick *yardstick, size_t index, const struct input **input,

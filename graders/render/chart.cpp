@@ -13,6 +13,8 @@ namespace
 {
 const font tick_font = {12, weight::regular, palette::grey_ink};
 const font label_font = {13.5, weight::regular, palette::ink};
+const double guide_width = 6, below_width = 7;
+const colour guide_ink = palette::grey_ink.with_alpha(.3);
 const font name_font = {14, weight::semibold, palette::ink};
 
 struct plot_area {
@@ -35,6 +37,12 @@ bool is_submission(const curve &one)
 bool is_yardstick(const curve &one)
 {
     return one.name == "reference" || one.name == "right";
+}
+
+/* A line for the eye, as the growth that is allowed: wide, pale, without markers. */
+bool is_guide(const curve &one)
+{
+    return !one.guide.empty();
 }
 
 /* Colours and markers go with the name, so that the submission looks the same in every chart. */
@@ -95,10 +103,15 @@ void draw_curve(paper &sheet, const plot_area &area, const curve &one, size_t lo
     std::vector<point2> points;
     for (size_t i = 0; i < one.x.size(); i++)
         points.push_back(area.at(one.x[i], one.y[i]));
+    if (is_guide(one))
+        return sheet.polyline(points, guide_width, guide_ink);
     draw_fit(sheet, area, one, palette::curves[look]);
-    sheet.polyline(points, 2.6, palette::curves[look]);
+    if (is_yardstick(one)) /* wide and pale below: where curves are equal, both are seen */
+        sheet.polyline(points, below_width, palette::curves[look].with_alpha(.4));
+    else
+        sheet.polyline(points, 2.6, palette::curves[look]);
     for (point2 at : points)
-        draw_marker(sheet, at, look, 4.6, palette::curves[look]);
+        draw_marker(sheet, at, look, is_yardstick(one) ? 6.4 : 4.6, palette::curves[look]);
 }
 
 std::string exponent_text(double exponent)
@@ -108,16 +121,30 @@ std::string exponent_text(double exponent)
     return text;
 }
 
+/* A piece of the curve, for the legend. */
+void draw_sample(paper &sheet, point2 at, const curve &one, size_t look)
+{
+    const double length = 34;
+    if (is_guide(one))
+        return sheet.line(at, {at.x + length, at.y}, guide_width, guide_ink);
+    if (is_yardstick(one))
+        sheet.line(at, {at.x + length, at.y}, below_width, palette::curves[look].with_alpha(.4));
+    else
+        sheet.line(at, {at.x + length, at.y}, 2.6, palette::curves[look]);
+    draw_marker(sheet, {at.x + length / 2, at.y}, look, is_yardstick(one) ? 6.4 : 4.6,
+                palette::curves[look]);
+}
+
 /* Entry: line and marker, name, and the fitted growth as "~ n" with a raised exponent. */
 double draw_entry(paper &sheet, point2 at, const curve &one, size_t look, bool measure_only)
 {
     const font raised = {10, weight::regular, palette::grey_ink};
     const font plain = {14, weight::regular, palette::grey_ink};
-    std::string name = sheet.fitting(one.name, name_font, 260);
+    std::string words = is_guide(one) ? one.name + " growth: " + one.guide : one.name;
+    std::string name = sheet.fitting(words, name_font, 260);
     double width = 46 + sheet.text_width(name, name_font);
     if (!measure_only) {
-        sheet.line({at.x, at.y - 5}, {at.x + 34, at.y - 5}, 2.6, palette::curves[look]);
-        draw_marker(sheet, {at.x + 17, at.y - 5}, look, 4.6, palette::curves[look]);
+        draw_sample(sheet, {at.x, at.y - 5}, one, look);
         sheet.text({at.x + 46, at.y}, name, name_font);
     }
     if (one.exponent == 0)

@@ -147,6 +147,7 @@ void read_curves(const json_t *json, scene &out)
         const json_t *from = json_array_get(curves, i);
         curve to;
         to.name = text_at(from, "name");
+        to.guide = text_at(from, "guide");
         to.exponent = json_number_value(json_object_get(from, "exponent"));
         if (!(std::fabs(to.exponent) < exponent_limit))
             to.exponent = 0;

@@ -35,6 +35,7 @@ struct scene_mesh {
 
 struct curve {
     std::string name;
+    std::string guide;        /* not empty: a line for the eye, "n lg n", not a measure */
     std::vector<double> x, y; /* as many, all in [1e-12, 1e18] */
     double exponent = 0;      /* 0: none was fitted */
 };

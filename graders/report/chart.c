@@ -1,6 +1,7 @@
 /* Charts from measures, and their drawing as SVG; see chart.h. */
 #include "graders/report/chart.h"
 
+#include "bench/measure/growth.h"
 #include "graders/report/results.h"
 
 #include <math.h>
@@ -97,9 +98,30 @@ static void title_of(const json_t *result, const char *what, char *title, size_t
              what);
 }
 
+/* Where the submission would be if it grew from its first size on as is allowed: a guide for the
+ * eye, no limit. NULL when there is nothing to start from. */
+static json_t *allowed_curve(const json_t *own, const char *allowed)
+{
+    enum growth_class class;
+    const json_t *sizes = json_object_get(own, "x");
+    double first_size = json_number_value(json_array_get(sizes, 0));
+    double first = json_number_value(json_array_get(json_object_get(own, "y"), 0));
+    if (growth_class_find(allowed, &class) != 0 || json_array_size(sizes) < 2 || first_size < 2)
+        return NULL;
+    json_t *y = json_array();
+    size_t i;
+    json_t *size;
+    json_array_foreach(sizes, i, size)
+        json_array_append_new(y, json_real(first * growth_term(class, json_number_value(size)) /
+                                           growth_term(class, first_size)));
+    return json_pack("{s:s, s:s, s:O, s:o}", "name", "allowed", "guide", allowed, "x", sizes, "y",
+                     y);
+}
+
 /* A scene of submission and reference over the sizes of a family; NULL when there is no curve. */
 static json_t *two_curves(const json_t *result, const json_t *family, const char *own_key,
-                          const char *reference_key, const char *y_label, const char *title)
+                          const char *reference_key, const char *y_label, const char *title,
+                          const char *allowed)
 {
     const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
     json_t *own = curve_of(family, own_key, "submission",
@@ -110,6 +132,9 @@ static json_t *two_curves(const json_t *result, const json_t *family, const char
         json_array_append(curves, own);
     if (json_array_size(json_object_get(reference, "x")) >= 2)
         json_array_append(curves, reference);
+    json_t *guide = allowed ? allowed_curve(own, allowed) : NULL;
+    if (guide)
+        json_array_append_new(curves, guide);
     json_decref(own);
     json_decref(reference);
     if (json_array_size(curves) == 0) {
@@ -130,8 +155,9 @@ json_t *chart_of_growth(const json_t *result)
     const json_t *family = chart_growth_family(result);
     if (!family)
         return NULL;
+    const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
     return two_curves(result, family, "instructions", "reference_instructions", "instructions",
-                      "growth of the work");
+                      "growth of the work", result_text(growth, "allowed"));
 }
 
 json_t *chart_of_memory(const json_t *result)
@@ -140,7 +166,8 @@ json_t *chart_of_memory(const json_t *result)
     const json_t *family = json_array_get(json_object_get(memory, "families"), 0);
     if (!family)
         return NULL;
-    return two_curves(result, family, "peak_bytes", "reference_peak_bytes", "bytes", "peak memory");
+    return two_curves(result, family, "peak_bytes", "reference_peak_bytes", "bytes", "peak memory",
+                      NULL);
 }
 
 /* ---------------------------------------------------------------- drawing */
@@ -259,13 +286,30 @@ static void draw_point(struct html *page, size_t number, double x, double y)
     html_close(page, "rect");
 }
 
+static bool is_guide(const json_t *curve)
+{
+    return *result_text(curve, "guide") != '\0';
+}
+
+/* The reference lies wide and pale below the others: where curves are equal, both are seen. */
+static void write_curve_class(struct html *page, const json_t *curve, size_t number)
+{
+    const char *name = result_text(curve, "name");
+    bool below = strcmp(name, "reference") == 0 || strcmp(name, "right") == 0;
+    if (is_guide(curve))
+        html_attribute(page, "class", "curve guide");
+    else
+        html_attribute_format(page, "class", "curve curve-%zu%s", number, below ? " below" : "");
+}
+
 static void draw_curve(struct html *page, const json_t *curve, size_t number, const struct axis *x,
                        const struct axis *y)
 {
     const json_t *xs = json_object_get(curve, "x");
     const json_t *ys = json_object_get(curve, "y");
+    bool guide = is_guide(curve);
     html_open(page, "g");
-    html_attribute_format(page, "class", "curve curve-%zu", number);
+    write_curve_class(page, curve, number);
     double last_x = 0;
     double last_y = 0;
     bool has_last = false;
@@ -278,7 +322,8 @@ static void draw_curve(struct html *page, const json_t *curve, size_t number, co
         double py = on_axis(y, y_value);
         if (has_last)
             draw_line(page, "stroke", last_x, last_y, px, py);
-        draw_point(page, number, px, py);
+        if (!guide)
+            draw_point(page, number, px, py);
         last_x = px;
         last_y = py;
         has_last = true;
@@ -293,6 +338,8 @@ static struct words curve_name(const char *name)
         return (struct words){"submission", "entrega"};
     if (strcmp(name, "reference") == 0)
         return (struct words){"reference", "referencia"};
+    if (strcmp(name, "allowed") == 0)
+        return (struct words){"allowed growth", "crecimiento permitido"};
     if (strcmp(name, "right") == 0)
         return (struct words){"right", "correcto"};
     return (struct words){name, name};
@@ -316,14 +363,17 @@ static void draw_legend(struct html *page, const json_t *curves)
         const json_t *curve = json_array_get(curves, i);
         double y = TOP + 16 + 20.0 * (double)i;
         html_open(page, "g");
-        html_attribute_format(page, "class", "curve curve-%zu", i);
+        write_curve_class(page, curve, i);
         draw_line(page, "stroke", LEFT + 14, y, LEFT + 40, y);
-        draw_point(page, i, LEFT + 27, y);
+        if (!is_guide(curve))
+            draw_point(page, i, LEFT + 27, y);
         html_close(page, "g");
         char tail[40] = "";
         double exponent = result_number(curve, "exponent");
         if (exponent > 0)
             snprintf(tail, sizeof tail, " ~ n^%.2f", exponent);
+        else if (is_guide(curve))
+            snprintf(tail, sizeof tail, ": %s", result_text(curve, "guide"));
         html_open(page, "text");
         attribute(page, "x", LEFT + 48);
         attribute(page, "y", y + 4);

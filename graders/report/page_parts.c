@@ -110,6 +110,8 @@ void page_end(struct html *page, const struct gradebook *book)
     html_open(page, "footer");
     html_format(page, "meshgrade %s · %s", result_text(engine, "version"),
                 result_text(engine, "compiler"));
+    if (*result_text(engine, "seed"))
+        html_format(page, " · seed %s", result_text(engine, "seed"));
     html_close(page, "footer");
     html_close(page, "body");
     html_close(page, "html");

@@ -70,6 +70,18 @@ for command in list start check grade report export validate doctor; do
     ok "$command --help" sh -c '"$1" "$2" --help | grep -q "^usage: meshgrade $2"' - "$meshgrade" "$command"
 done
 
+case_seed() { # case, options...
+    case=$1
+    shift
+    "$meshgrade" check edge-table-any "$submissions/edges/edge-table-any/right/hash-table.c" --case "$case" --json "$@" |
+        python3 -c 'import json, sys; case = json.load(sys.stdin)["cases"][0]; print(case["verdict"], case["seed"], "--seed" in case["reproduce"])'
+}
+ok "a class's seed does not touch public cases" [ "$(case_seed cube-flipped --seed 12)" = "$(case_seed cube-flipped)" ]
+hidden=$(case_seed cube --seed 12)
+ok "but draws the others anew" sh -c '[ "$1" != "$2" ] && [ "$1" != "$3" ]' - "$hidden" "$(case_seed cube)" "$(case_seed cube --seed 13)"
+ok "the same for the same seed, and says how to see them again" sh -c '[ "$1" = "$2" ] && case $1 in "passed "*" True") ;; *) false ;; esac' - "$hidden" "$(case_seed cube --seed 12)"
+ok "a seed that is no number is wrong usage" exits_with 64 "$meshgrade" check edge-table-any "$scratch/empty.c" --seed x 2>/dev/null
+
 cd "$scratch" || exit 1
 "$meshgrade" start edge-table-any work >/dev/null
 ok "start gives statement, header and starter" [ -s work/README.md -a -s work/README.es.md -a -s work/edge-table-any.h -a -s work/edge-table-any.c ]

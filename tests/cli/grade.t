@@ -47,9 +47,19 @@ cp -r "$out/results" "$scratch/first"
 "$meshgrade" grade "${uploads[@]}" -o "$out" >/dev/null 2>"$scratch/talk"
 ok "grading again changes nothing" diff -r "$scratch/first" "$out/results"
 
+seed_of() {
+    python3 -c 'import glob, json, sys
+seeds = {json.load(open(p))["engine"]["seed"] for p in glob.glob(sys.argv[1] + "/results/*/*.json")} - {""}
+print(*seeds)' "$1"
+}
+seed=$(seed_of "$out")
+ok "all results of a class have one seed, which is not the published one" sh -c 'expr "$1" : "[1-9][0-9]*\$" >/dev/null' - "$seed"
+ok "another seed is refused in a folder with results" exits_with 2 "$meshgrade" grade "$scratch/b.zip" -o "$out" --seed $((seed % 1000 + 1)) 2>"$scratch/talk"
+ok "and the line says what to do" matches "$scratch/talk" 'another folder'
+ok "a seed of 0 is wrong usage" exits_with 64 "$meshgrade" grade "$scratch/b.zip" -o "$scratch/none" --seed 0 2>/dev/null
 mkdir -p "$scratch/elsewhere/deep"
 (for _ in 1 2; do (while :; do :; done) & echo $!; done) >"$scratch/busy"
-(cd "$scratch/elsewhere/deep" && PADDING=$(head -c 5000 /dev/zero | tr '\0' x) "$meshgrade" grade "${uploads[@]}" -o other --no-pictures >/dev/null 2>&1)
+(cd "$scratch/elsewhere/deep" && PADDING=$(head -c 5000 /dev/zero | tr '\0' x) "$meshgrade" grade "${uploads[@]}" -o other --seed "$seed" --no-pictures >/dev/null 2>&1)
 while read -r pid; do kill "$pid"; done <"$scratch/busy"
 ok "busy cores, another folder and environment: the same bytes" diff -r "$scratch/first" "$scratch/elsewhere/deep/other/results"
 

@@ -8,7 +8,7 @@ cp "$(ls "$euler"/right/*.c | head -n 1)" "$class/a/euler-closed-mesh.c"
 cp "$(ls "$euler"/wrong/*.c | head -n 1)" "$class/b/euler-closed-mesh.c"
 cp "$(ls "$euler"/wrong/*.c | tail -n 1)" "$class/c/euler-closed-mesh.c"
 
-"$meshgrade" grade "$class" -o "$scratch/whole" --no-pictures -j 1 >/dev/null 2>&1
+"$meshgrade" grade "$class" --seed 1 -o "$scratch/whole" --no-pictures -j 1 >/dev/null 2>&1
 ok "an undisturbed run gives three results" [ "$(ls "$scratch"/whole/results/*/*.json | wc -l)" -eq 3 ]
 
 # The points follow the CPU time charged to the run and its children, so they spread over its steps
@@ -17,7 +17,7 @@ points=20
 left=
 for ((k = 1; k <= points; k++)); do
     out=$scratch/out$k
-    "$meshgrade" grade "$class" -o "$out" --no-pictures -j 1 >/dev/null 2>&1 &
+    "$meshgrade" grade "$class" --seed 1 -o "$out" --no-pictures -j 1 >/dev/null 2>&1 &
     pid=$!
     spent=0
     while [ "$spent" -lt $((k * 6)) ] && kill -0 $pid 2>/dev/null; do
@@ -26,7 +26,7 @@ for ((k = 1; k <= points; k++)); do
     done
     kill -9 $pid 2>/dev/null
     wait $pid 2>/dev/null
-    "$meshgrade" grade "$class" -o "$out" --no-pictures -j 1 >/dev/null 2>&1
+    "$meshgrade" grade "$class" --seed 1 -o "$out" --no-pictures -j 1 >/dev/null 2>&1
     ok "killed at point $k, graded again" diff -r "$scratch/whole/results" "$out/results"
     [ ! -e "$out/scratch" ] || left="$left $k"
     rm -rf "$out"

@@ -49,6 +49,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count)
         else if (result && !json_is_object(result))
             abort();
         json_decref(result);
+        uint32_t seed;
+        err.text[0] = '\0';
+        if (store_seed(&store, 1, &seed, &err) != 0)
+            check_error(&err);
         err.text[0] = '\0';
         if (store_write_files(&store, folder, &err) != 0)
             check_error(&err);

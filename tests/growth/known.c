@@ -193,7 +193,7 @@ static int try_subject(const struct subject *subject, const struct exercise *exe
                        struct random *random, struct totals *totals, struct error *err)
 {
     struct yardstick yardstick;
-    int result = yardstick_make(&yardstick, exercise, false, err);
+    int result = yardstick_make(&yardstick, exercise, SEED_PUBLISHED, false, err);
     if (result == 0 && !yardstick.probes.valgrind)
         result =
             error_set(err, "nothing can be counted here: %s", yardstick.probes.valgrind_reason);

@@ -173,7 +173,7 @@ static void test_other_version(void **state)
     struct store store;
     struct error err = {""};
     (void)state;
-    for (int version = 1; version <= 3; version += 2) {
+    for (int version = 2; version <= 4; version += 2) {
         char statement[64];
         assert_int_equal(store_open(&store, folder, &err), 0);
         snprintf(statement, sizeof statement, "PRAGMA user_version = %d", version);
@@ -181,10 +181,41 @@ static void test_other_version(void **state)
         store_close(&store);
         assert_int_equal(store_open(&store, folder, &err), -1);
         assert_non_null(strstr(err.text, "move the file away"));
-        assert_int_equal(sqlite3_exec(store.database, "PRAGMA user_version = 2", NULL, NULL, NULL),
+        assert_int_equal(sqlite3_exec(store.database, "PRAGMA user_version = 3", NULL, NULL, NULL),
                          SQLITE_OK);
         store_close(&store);
     }
+}
+
+/* Drawn once, kept, and never mixed with another. */
+static void test_seed(void **state)
+{
+    struct store store;
+    struct error err = {""};
+    uint32_t first = 0, again = 0, others[2];
+    (void)state;
+    assert_int_equal(store_open(&store, folder, &err), 0);
+    assert_int_equal(store_seed(&store, SEED_PUBLISHED, &first, &err), 0);
+    store_close(&store);
+    assert_int_not_equal(first, SEED_PUBLISHED);
+    assert_int_equal(store_open(&store, folder, &err), 0);
+    assert_int_equal(store_seed(&store, SEED_PUBLISHED, &again, &err), 0);
+    assert_int_equal(again, first);
+    assert_int_equal(store_seed(&store, first, &again, &err), 0);
+    assert_int_equal(store_seed(&store, first ^ 1 ? first ^ 1 : 2, &again, &err), -1);
+    assert_non_null(strstr(err.text, "another folder"));
+    for (int i = 0; i < 2; i++) { /* a folder without results draws anew: 1 of 2^32 is equal */
+        assert_int_equal(sqlite3_exec(store.database, "DELETE FROM class", NULL, NULL, NULL),
+                         SQLITE_OK);
+        assert_int_equal(store_seed(&store, SEED_PUBLISHED, &others[i], &err), 0);
+    }
+    assert_int_not_equal(others[0], others[1]);
+    assert_int_equal(sqlite3_exec(store.database, "UPDATE class SET seed = '12'", NULL, NULL, NULL),
+                     SQLITE_OK);
+    err.text[0] = '\0';
+    assert_int_equal(store_seed(&store, SEED_PUBLISHED, &again, &err), -1);
+    assert_non_null(strstr(err.text, "move the file away"));
+    store_close(&store);
 }
 
 int main(void)
@@ -194,6 +225,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_damage, make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(test_changed_mark, make_folder, remove_folder),
         cmocka_unit_test_setup_teardown(test_other_version, make_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(test_seed, make_folder, remove_folder),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
