@@ -1,6 +1,7 @@
 /* meshgrade: the command line. Each command is a file in graders/commands. */
 #include "graders/commands/options.h"
 #include "graders/engine/score.h"
+#include "reference/kernels/cpu.h"
 
 #include <errno.h>
 #include <jansson.h>
@@ -100,6 +101,11 @@ int main(int argc, char **argv)
     if (strcmp(name, "--version") == 0) {
         printf("meshgrade %s\n", meshgrade_version());
         return EXIT_PASSED;
+    }
+    struct error err = {""};
+    if (cpu_check_limit(&err) != 0) {
+        fprintf(stderr, "meshgrade: %s\n", err.text);
+        return EXIT_USAGE;
     }
     for (int i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(commands[i]->name, name) == 0)

@@ -3,6 +3,7 @@
 
 #include "bench/compare/goals.h"
 #include "bench/compare/rows.h"
+#include "reference/kernels/cpu.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -32,11 +33,13 @@ static json_t *machine_json(const struct document_facts *facts)
                                         (json_int_t)facts->copy[i].working_set_bytes, "method",
                                         facts->copy[i].method, "gigabytes_per_second",
                                         facts->copy[i].gigabytes_per_second));
-    return json_pack("{s:s, s:i, s:b, s:I, s:s, s:s, s:s, s:s, s:o, s:o}", "cpu", machine->cpu,
-                     "cores", machine->core_count, "hypervisor", machine->hypervisor, "ram_bytes",
-                     (json_int_t)machine->ram_bytes, "kernel", machine->kernel, "compiler",
-                     machine->compiler, "flags", machine->flags, "huge_pages", machine->huge_pages,
-                     "caches", caches_json(machine), "copy", copies);
+    return json_pack("{s:s, s:s, s:s, s:i, s:b, s:I, s:s, s:s, s:s, s:s, s:o, s:o}", "cpu",
+                     machine->cpu, "vectors", cpu_vectors_name(cpu_vectors()), "processor_vectors",
+                     cpu_vectors_name(cpu_processor_vectors()), "cores", machine->core_count,
+                     "hypervisor", machine->hypervisor, "ram_bytes", (json_int_t)machine->ram_bytes,
+                     "kernel", machine->kernel, "compiler", machine->compiler, "flags",
+                     machine->flags, "huge_pages", machine->huge_pages, "caches",
+                     caches_json(machine), "copy", copies);
 }
 
 /* The meshes of the journal's blocks, each once. */

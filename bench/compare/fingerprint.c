@@ -1,6 +1,8 @@
 /* The fingerprint of a run; see fingerprint.h. */
 #include "bench/compare/fingerprint.h"
 
+#include "reference/kernels/cpu.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -43,6 +45,6 @@ void fingerprint_write(const struct plan *plan, const char *program, const struc
             if (contender->kind == CONTENDER_PEER && !was_seen(plan, i, k))
                 hash = hash_file(contender->program, hash);
         }
-    snprintf(text, FINGERPRINT_BYTES, "%016llx %s %d %s", hash, machine->cpu, machine->core_count,
-             machine->kernel);
+    snprintf(text, FINGERPRINT_BYTES, "%016llx %s %d %s %s", hash, machine->cpu,
+             machine->core_count, machine->kernel, cpu_vectors_name(cpu_vectors()));
 }

@@ -9,7 +9,8 @@
 enum { FINGERPRINT_BYTES = 256 };
 
 /* Writes a line that changes with the contents of any program that the plan starts, our own and
- * each peer once, and with the machine. A program that cannot be read counts as an empty one.
+ * each peer once, with the machine, and with the vectors that kernels may use (cpu.h). A program
+ * that cannot be read counts as an empty one.
  *
  * program  ours
  * Cost     reading the programs */

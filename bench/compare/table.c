@@ -26,6 +26,11 @@ static void write_machine(const struct table *table, const json_t *document)
             fprintf(table->to, "%s L%d %.0f %s", i ? "," : "", (int)table_number(item, "level"),
                     kib < 1024 ? kib : kib / 1024, kib < 1024 ? "KiB" : "MiB");
     }
+    if (strcmp(table_text(machine, "vectors"), table_text(machine, "processor_vectors")) != 0)
+        fprintf(table->to, "; vectors: %s, by MESHGRADE_CPU; the processor has %s",
+                table_text(machine, "vectors"), table_text(machine, "processor_vectors"));
+    else if (*table_text(machine, "vectors"))
+        fprintf(table->to, "; vectors: %s", table_text(machine, "vectors"));
     fputs("\ncopies", table->to);
     json_array_foreach(json_object_get(machine, "copy"), i, item)
     {

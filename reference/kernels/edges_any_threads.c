@@ -1,11 +1,11 @@
 /* Edge table of any mesh on threads: each fills the rows of its share of the vertices, reading all
  * triangles; counts their edges; and writes them where those of the shares before end. See
  * edges_any.h. */
+#include "reference/kernels/cpu.h"
 #include "reference/kernels/edges_any.h"
 #include "reference/kernels/neighbour_rows.h"
 #include "reference/kernels/order.h"
 #include "reference/kernels/threads.h"
-#include "reference/kernels/x86.h"
 
 enum { COUNTS_A_LINE = 8, ROWS_AT_ONCE = 64 };
 

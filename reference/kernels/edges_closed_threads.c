@@ -1,8 +1,8 @@
 /* Edge table of a closed mesh on threads: each counts the edges of its share of the triangles, then
  * writes them where those of the shares before end; see edges_closed.h. */
+#include "reference/kernels/cpu.h"
 #include "reference/kernels/edges_closed.h"
 #include "reference/kernels/threads.h"
-#include "reference/kernels/x86.h"
 
 enum { COUNTS_A_LINE = 8, MOST_WRITTEN_BEHIND = 8 };
 

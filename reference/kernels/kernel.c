@@ -2,6 +2,7 @@
 #include "reference/kernels/kernel.h"
 
 #include "reference/kernels/area.h"
+#include "reference/kernels/cpu.h"
 #include "reference/kernels/edges_any.h"
 #include "reference/kernels/edges_closed.h"
 #include "reference/kernels/normals.h"
@@ -9,7 +10,6 @@
 #include "reference/kernels/threads.h"
 #include "reference/kernels/twins.h"
 #include "reference/kernels/vertex_cache.h"
-#include "reference/kernels/x86.h"
 
 #include <sched.h>
 #include <string.h>

@@ -2,8 +2,8 @@
  * libraries and against the machine's limit. Each is one function, kept in several variants:
  *
  *   plain     portable C, always there; the measure of what is right
- *   avx2      x86-64 vectors of 256 bits    } only where the processor has them,
- *   avx512    x86-64 vectors of 512 bits    } which is asked at run time
+ *   avx2      x86-64 vectors of 256 bits    } only where the processor has them and the environment
+ *   avx512    x86-64 vectors of 512 bits    } does not take them away, asked at run time (cpu.h)
  *   threads   the best of these on every CPU that the process may use
  *
  * They are for benchmarks. The reference solutions that the grader compiles and holds students
@@ -37,7 +37,7 @@ struct kernel {
     const char *record;      /* what one record of the output is: "edge", "side", ... */
     bool needs_closed_mesh;  /* asks for a closed, coherently oriented mesh without degenerate
                                 triangles; the output for others is safe but means nothing */
-    bool (*available)(void); /* whether this processor can run it */
+    bool (*available)(void); /* whether it can run here (cpu.h) */
 
     size_t (*scratch_bytes)(int64_t vertex_count, int64_t triangle_count);
     size_t (*output_bytes)(int64_t vertex_count, int64_t triangle_count); /* capacity to give */
@@ -57,7 +57,7 @@ struct kernel {
 /* All kernels, the variants of one kernel together and plain first; ends with a NULL name. */
 extern const struct kernel kernel_table[];
 
-/* The variant of a kernel, or NULL when there is no such or this processor cannot run it. variant
+/* The variant of a kernel, or NULL when there is no such or it cannot run here. variant
  * NULL asks for the fastest that runs on one thread here. */
 const struct kernel *kernel_find(const char *name, const char *variant);
 

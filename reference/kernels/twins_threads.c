@@ -1,11 +1,11 @@
 /* Twins on threads: each fills the rows of its share of the vertices, reading all triangles, and
  * matches them; see twins.h. No two rows hold the same side, so no two threads write the same twin.
  */
+#include "reference/kernels/cpu.h"
 #include "reference/kernels/order.h"
 #include "reference/kernels/side_rows.h"
 #include "reference/kernels/threads.h"
 #include "reference/kernels/twins.h"
-#include "reference/kernels/x86.h"
 
 #include <string.h>
 

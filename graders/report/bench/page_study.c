@@ -141,6 +141,19 @@ static void write_copies(struct html *page, const json_t *machine)
     html_close(page, "dd");
 }
 
+/* What kernels could use, and why when that is less than the processor has. */
+static void write_vectors(struct html *page, const json_t *machine)
+{
+    const char *vectors = study_text(machine, "vectors");
+    const char *most = study_text(machine, "processor_vectors");
+    char words[120];
+    if (strcmp(vectors, most) == 0)
+        snprintf(words, sizeof words, "%s", vectors);
+    else
+        snprintf(words, sizeof words, "%s, by MESHGRADE_CPU; the processor has %s", vectors, most);
+    fact(page, "vectors", words);
+}
+
 void page_machine(struct html *page, struct bench_page *context)
 {
     const json_t *machine = json_object_get(context->study->document, "machine");
@@ -152,6 +165,7 @@ void page_machine(struct html *page, struct bench_page *context)
     html_open(page, "dl");
     html_attribute(page, "class", "machine");
     fact(page, "processor", study_text(machine, "cpu"));
+    write_vectors(page, machine);
     if (!isnan(study_number(machine, "cores"))) {
         snprintf(cores, sizeof cores, "%.0f%s", study_number(machine, "cores"),
                  json_is_true(json_object_get(machine, "hypervisor")) ? ", of a virtual machine"
