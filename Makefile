@@ -100,7 +100,7 @@ LIBRARY_SOURCES := $(wildcard reference/mesh/*.c reference/formats/*.c reference
   reference/kernels/*.c bench/measure/*.c bench/compare/*.c graders/box/*.c \
   graders/engine/*.c graders/judges/*.c graders/judges/*/*.c graders/report/*.c graders/report/*/*.c) graders/runner/packet.c
 LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/judge-table.o \
-  $(BUILD)/representation-table.o
+  $(BUILD)/representation-table.o $(BUILD)/counted-representations.o
 JUDGES := $(patsubst %.c,%,$(notdir $(wildcard graders/judges/*/*.c)))
 CALLS := $(wildcard graders/runner/*/*.c)
 FLAVOURS := plain sanitized checked
@@ -159,6 +159,24 @@ $(BUILD)/bench-allocations.so: bench/preload/allocations.c
 	@mkdir -p $(@D)
 	$(call SHOW,CC  $<)$(CC) -std=c17 -D_GNU_SOURCE -I. -O2 -g -fPIC -shared $(WARNINGS) $(DEPENDENCIES) $< -o $@
 $(BUILD)/bench/measure/machine.o: CFLAGS += -DBUILD_FLAGS='"$(MODE)"'
+
+# The representations once more, with a call before every read (bench/compare/counted_reads.h), as one
+# object with a single name. Instrumented the same in every configuration.
+COUNTED_SOURCES := $(wildcard reference/mesh/*.c reference/representation/*.c)
+COUNTED_OBJECTS := $(COUNTED_SOURCES:%.c=$(BUILD)/counted/%.o) $(BUILD)/counted/representation-table.o
+COUNTED_NAMES := memcpy memcmp representation_table
+COUNTED_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O1 -g -fsanitize=thread $(WARNINGS) \
+  $(foreach n,$(COUNTED_NAMES),-D$(n)=counted_$(n))
+$(BUILD)/counted-representations.o: $(COUNTED_OBJECTS)
+	@ld -r $^ -o $@.tmp
+	@objcopy --keep-global-symbol=counted_representation_table $@.tmp $@
+	@rm $@.tmp
+$(BUILD)/counted/%.o: %.c
+	@mkdir -p $(@D)
+	$(call SHOW,CC  $< (counted))$(CC) $(COUNTED_FLAGS) $(DEPENDENCIES) -c $< -o $@
+$(BUILD)/counted/representation-table.o: $(BUILD)/representation-table.c
+	@mkdir -p $(@D)
+	@$(CC) $(COUNTED_FLAGS) $(DEPENDENCIES) -c $< -o $@
 
 # Other libraries, each in a worker of its own, built as their users would.
 PEERS := $(filter-out peer,$(patsubst bench/peers/%.cpp,%,$(wildcard bench/peers/*.cpp)))

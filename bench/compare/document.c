@@ -78,12 +78,13 @@ json_t *bench_document_make(const struct plan *plan, const struct journal *journ
     strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%S%z", localtime_r(&now, &parts));
     json_t *rows = rows_of(plan, journal, facts->copy, facts->copy_count);
     json_t *claims = facts->claims ? facts->claims : json_array();
+    json_t *accesses = facts->accesses ? facts->accesses : json_array();
     json_t *document =
-        json_pack("{s:s, s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:o}", "schema",
+        json_pack("{s:s, s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "schema",
                   "meshgrade-bench-1", "version", facts->version, "date", date, "mode", facts->mode,
                   "complete", is_complete(plan, journal), "machine", machine_json(facts), "noise",
                   rows_noise(rows), "meshes", meshes_json(plan, journal), "goals", goals_of(rows),
-                  "rows", rows, "claims", claims);
+                  "rows", rows, "claims", claims, "accesses", accesses);
     if (!document)
         error_set(err, "out of memory: the results");
     return document;
@@ -125,17 +126,27 @@ static int write_json(const json_t *value, const char *folder, const char *name,
     return end_file(file, path, partial, good, err);
 }
 
-int bench_document_write(const json_t *document, const char *folder, struct error *err)
+static int write_csv(const json_t *document, void (*write)(const json_t *document, FILE *to),
+                     const char *folder, const char *name, struct error *err)
 {
     char path[PATH_MAX], partial[PATH_MAX];
+    FILE *file = begin_file(folder, name, path, partial, err);
+    if (!file)
+        return -1;
+    write(document, file);
+    return end_file(file, path, partial, !ferror(file), err);
+}
+
+int bench_document_write(const json_t *document, const char *folder, struct error *err)
+{
     json_t *google = bench_document_google(document);
     int result = write_json(document, folder, "bench.json", err);
     if (result == 0)
         result = write_json(google, folder, "google.json", err);
     json_decref(google);
-    FILE *file = result == 0 ? begin_file(folder, "bench.csv", path, partial, err) : NULL;
-    if (!file)
-        return -1;
-    bench_document_csv(document, file);
-    return end_file(file, path, partial, !ferror(file), err);
+    if (result == 0)
+        result = write_csv(document, bench_document_csv, folder, "bench.csv", err);
+    if (result == 0 && json_array_size(json_object_get(document, "accesses")) > 0)
+        result = write_csv(document, bench_accesses_csv, folder, "accesses.csv", err);
+    return result;
 }

@@ -1,4 +1,4 @@
-/* The rows of bench.json as CSV; see document.h. */
+/* The rows and the accesses of bench.json as CSV; see document.h. */
 #include "bench/compare/document.h"
 
 #include <string.h>
@@ -89,5 +89,31 @@ void bench_document_csv(const json_t *document, FILE *to)
             write_value(to, columns[k].inner ? json_object_get(value, columns[k].inner) : value);
         }
         fputs("\r\n", to);
+    }
+}
+
+void bench_accesses_csv(const json_t *document, FILE *to)
+{
+    static const char *const texts[] = {"subject", "query", "claim", "growth"};
+    size_t i, k;
+    const json_t *row, *at;
+    fputs("subject,query,claim,growth,holds,triangles,valence,accesses\r\n", to);
+    json_array_foreach(json_object_get(document, "accesses"), i, row)
+    {
+        for (int by_valence = 0; by_valence < 2; by_valence++)
+            json_array_foreach(json_object_get(row, by_valence ? "by_valence" : "by_size"), k, at)
+            {
+                for (size_t t = 0; t < sizeof texts / sizeof *texts; t++) {
+                    write_value(to, json_object_get(row, texts[t]));
+                    fputc(',', to);
+                }
+                fputs(json_is_true(json_object_get(row, "holds")) ? "true," : "false,", to);
+                write_value(to, json_object_get(at, "triangles"));
+                fputc(',', to);
+                write_value(to, json_object_get(at, "valence"));
+                fputc(',', to);
+                write_value(to, json_object_get(at, "accesses"));
+                fputs("\r\n", to);
+            }
     }
 }

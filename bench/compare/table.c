@@ -417,5 +417,6 @@ void table_write(const json_t *document, bool bold, FILE *to)
     }
     table_goals(&table, json_object_get(document, "goals"));
     write_claims(&table, json_object_get(document, "claims"));
+    table_accesses(&table, json_object_get(document, "accesses"));
     write_closing(&table, document);
 }

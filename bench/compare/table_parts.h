@@ -30,4 +30,7 @@ void table_interval(char *out, const json_t *interval, bool too_noisy);
 /* The goals of a document (goals.h), in one table for all kernels and meshes. */
 void table_goals(const struct table *table, const json_t *goals);
 
+/* The accesses of a document (accesses.h): a line a representation, by size and by valence. */
+void table_accesses(const struct table *table, const json_t *accesses);
+
 #endif

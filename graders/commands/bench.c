@@ -3,6 +3,7 @@
 #include "graders/commands/common.h"
 #include "graders/commands/options.h"
 
+#include "bench/compare/accesses.h"
 #include "bench/compare/claims.h"
 #include "bench/compare/document.h"
 #include "bench/compare/fingerprint.h"
@@ -186,6 +187,19 @@ static int collect_claims(const struct settings *settings, json_t **json, struct
     return *json ? 0 : error_set(err, "out of memory: claims");
 }
 
+/* The accesses of queries, which belong to the claims, in the same way. */
+static int collect_accesses(const struct settings *settings, json_t **json, struct error *err)
+{
+    struct access_counts counts = {.rows = NULL};
+    if (settings->what & BENCH_CLAIMS && accesses_count(&counts, err) != 0) {
+        accesses_release(&counts);
+        return -1;
+    }
+    *json = accesses_to_json(&counts);
+    accesses_release(&counts);
+    return *json ? 0 : error_set(err, "out of memory: accesses");
+}
+
 static int run_and_publish(const struct settings *settings, const struct plan *plan,
                            struct journal *journal, const struct machine *machine,
                            struct error *err)
@@ -203,10 +217,14 @@ static int run_and_publish(const struct settings *settings, const struct plan *p
                             .progress = isatty(STDERR_FILENO) ? show_progress : NULL,
                             .stop = &stop};
     int copy_count;
-    json_t *claims;
+    json_t *claims, *accesses;
     if (measure_copies(plan, copies, &copy_count, err) != 0 || run_plan(&wish, journal, err) != 0 ||
         collect_claims(settings, &claims, err) != 0)
         return -1;
+    if (collect_accesses(settings, &accesses, err) != 0) {
+        json_decref(claims);
+        return -1;
+    }
     struct document_facts facts = {.version = meshgrade_version(),
                                    .mode = settings->quick      ? "quick"
                                            : settings->thorough ? "thorough"
@@ -214,7 +232,8 @@ static int run_and_publish(const struct settings *settings, const struct plan *p
                                    .machine = machine,
                                    .copy = copies,
                                    .copy_count = copy_count,
-                                   .claims = claims};
+                                   .claims = claims,
+                                   .accesses = accesses};
     return publish_results(settings, plan, journal, &facts, err);
 }
 

@@ -134,6 +134,8 @@ const struct representation representation_indexed_mesh = {
              [QUERY_FACES_AROUND_VERTEX] = "n",
              [QUERY_VERTICES_AROUND_VERTEX] = "n",
              [QUERY_IS_EDGE] = "n"},
+    .tables = {{offsetof(struct mesh, positions), 3 * sizeof(float)},
+               {offsetof(struct mesh, triangles), 3 * sizeof(int32_t)}},
     .build = build,
     .release = release,
     .check = check,

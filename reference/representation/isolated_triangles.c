@@ -151,6 +151,7 @@ const struct representation representation_isolated_triangles = {
              [QUERY_FACES_AROUND_VERTEX] = "n",
              [QUERY_VERTICES_AROUND_VERTEX] = "n",
              [QUERY_IS_EDGE] = "n"},
+    .tables = {{offsetof(struct soup, corners), 9 * sizeof(float)}},
     .build = build,
     .release = release,
     .check = check,

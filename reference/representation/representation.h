@@ -64,6 +64,13 @@ struct mesh_counts {
     int64_t strip_vertices; /* entries of all of them */
 };
 
+/* A table of a representation: where in its struct the pointer to it stands, and what a row of it
+ * takes. A row is what one access reads (a half edge, a triangle's corners, a position). */
+struct table_place {
+    size_t offset, row_bytes;
+};
+enum { REPRESENTATION_TABLES_MAX = 4 };
+
 struct representation {
     int order;             /* place in the table, by the course's order: 10, 20, ... */
     const char *name;      /* "half-edge": for options and file names */
@@ -75,6 +82,10 @@ struct representation {
     /* Accesses that each query takes: "1", "k" (valence of the vertex, or sides of the face),
      * "k^2", "lg s" (s strips), "n" (all faces or all edges are looked at). */
     const char *cost[QUERY_COUNT];
+
+    /* All its tables, for those who count accesses (bench/compare/counted_reads.h); the rest of the
+     * entries are 0. */
+    struct table_place tables[REPRESENTATION_TABLES_MAX];
 
     /* faces_around_vertex and vertices_around_vertex go around the vertex counter-clockwise; where
      * there is a boundary, from its one end to the other. Otherwise: any order. */

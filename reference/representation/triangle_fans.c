@@ -305,6 +305,8 @@ const struct representation representation_triangle_fans = {
              [QUERY_FACES_AROUND_VERTEX] = "n",
              [QUERY_VERTICES_AROUND_VERTEX] = "n",
              [QUERY_IS_EDGE] = "n"},
+    .tables = {{offsetof(struct triangle_fans, entries.positions), 3 * sizeof(float)},
+               {offsetof(struct triangle_fans, entries.first_vertex), sizeof(int32_t)}},
     .build = build,
     .release = release,
     .check = check,

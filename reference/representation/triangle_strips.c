@@ -163,6 +163,8 @@ const struct representation representation_triangle_strips = {
              [QUERY_FACES_AROUND_VERTEX] = "n",
              [QUERY_VERTICES_AROUND_VERTEX] = "n",
              [QUERY_IS_EDGE] = "n"},
+    .tables = {{offsetof(struct strips, positions), 3 * sizeof(float)},
+               {offsetof(struct strips, first_vertex), sizeof(int32_t)}},
     .build = build,
     .release = release,
     .check = check,

@@ -58,7 +58,10 @@ def run_of():
     return {"schema": "meshgrade-bench-1", "version": "0.3", "date": "2026-11-22T12:00:00+0000", "mode": "full",
             "complete": True, "machine": {"cpu": HOSTILE, "cores": 2}, "noise": {"samples": 100, "dropped": 1},
             "meshes": [], "rows": rows,
-            "claims": [{"name": "n", "source": "000", "claim": HOSTILE, "mesh": "m", "claimed": 2, "measured": 1.9, "holds": True}]}
+            "claims": [{"name": "n", "source": "000", "claim": HOSTILE, "mesh": "m", "claimed": 2, "measured": 1.9, "holds": True}],
+            "accesses": [{"subject": "a", "title": HOSTILE, "query": "is-edge", "claim": HOSTILE, "growth": "n", "holds": False,
+                          "by_size": [{"triangles": 2048, "accesses": 13.5}, {"triangles": 8192, "accesses": 54}],
+                          "by_valence": [{"valence": 4, "accesses": 9}, {"valence": 256, "accesses": 513}]}]}
 
 
 class Page(html.parser.HTMLParser):

@@ -27,4 +27,18 @@ for c in claims:
     assert set(c) == {"name", "source", "claim", "mesh", "claimed", "measured", "holds"}
     assert c["claimed"] > 0 and c["measured"] > 0 and isinstance(c["holds"], bool)
 P
+ok "accesses of queries are printed" matches "$scratch/table" 'Half edge +k 4 4 '
+ok "accesses keep the contract, in both files" python3 - "$out" <<'P'
+import csv, json, sys
+rows = json.load(open(sys.argv[1] + "/bench.json"))["accesses"]
+assert len({r["subject"] for r in rows}) == 14 and len(rows) == 14 * 5
+for r in rows:
+    assert set(r) == {"subject", "title", "query", "claim", "growth", "holds", "by_size", "by_valence"}
+    assert r["holds"] is True and r["growth"] in ("1", "lg s", "k", "k^2", "n"), r
+    assert [a["valence"] for a in r["by_valence"]] == [4, 256]
+    assert r["by_size"][1]["triangles"] > 3.5 * r["by_size"][0]["triangles"]
+lines = list(csv.DictReader(open(sys.argv[1] + "/accesses.csv")))
+assert len(lines) == 4 * len(rows)
+assert float(lines[1]["accesses"]) == rows[0]["by_size"][1]["accesses"]
+P
 done_testing

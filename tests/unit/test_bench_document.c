@@ -147,8 +147,8 @@ static json_t *make_document(void)
 
 static void document_keeps_its_contract(void **state)
 {
-    static const char *const keys[] = {"schema",  "version", "date",   "mode", "complete",
-                                       "machine", "noise",   "meshes", "rows", "claims"};
+    static const char *const keys[] = {"schema", "version", "date", "mode",   "complete", "machine",
+                                       "noise",  "meshes",  "rows", "claims", "accesses"};
     static const char *const row_keys[] = {
         "what",      "kind",       "subject",         "title",
         "variant",   "threads",    "operation",       "mesh",

@@ -192,6 +192,7 @@ void bench_page_write(struct html *page, struct bench_page *context)
     page_goals(page, context);
     page_comparison(page, context, "paper", "The operations of Sieger and Botsch (2011)");
     page_claims(page, context);
+    page_accesses(page, context);
     write_pictures(page, context);
     page_limits(page, context);
     page_repeat(page, context);

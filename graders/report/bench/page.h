@@ -27,7 +27,7 @@ void page_limits(struct html *page, const struct bench_page *context);
 void page_repeat(struct html *page, const struct bench_page *context);
 
 /* The tables: representations by operation (times, and ratios with intervals), kernels and peers,
- * other comparisons of the run (readers, the paper's operations), goals, the meshes, claims. Each
+ * other comparisons of the run (readers, the paper's operations), goals, the meshes, claims, counted accesses. Each
  * writes nothing when the run has no such rows. */
 void page_representations(struct html *page, struct bench_page *context);
 void page_comparison(struct html *page, struct bench_page *context, const char *what,
@@ -35,6 +35,7 @@ void page_comparison(struct html *page, struct bench_page *context, const char *
 void page_goals(struct html *page, struct bench_page *context);
 void page_meshes(struct html *page, struct bench_page *context);
 void page_claims(struct html *page, struct bench_page *context);
+void page_accesses(struct html *page, struct bench_page *context);
 
 /* Parts of tables: starts one in a scrollable box with a numbered caption; a cell of a row. */
 void table_open(struct html *page, struct bench_page *context, const char *caption);
