@@ -18,19 +18,19 @@ enum { SIZED_CHECKS = sizeof sized_checks / sizeof sized_checks[0] };
 
 /* A call on a sized input went wrong: no check that rests on it can pass. It is a failure of its
  * own only when every case was right; otherwise the cases tell the mistake, and better. */
-static void blame_failure(struct trial *trial, int family, const struct count_run *run)
+static void blame_failure(struct trial *trial, int family, int size_index,
+                          const struct attempt *failure)
 {
     const struct yardstick *yardstick = trial->yardstick;
-    const struct attempt *failure = &run->failure;
     enum verdict verdict = trial_any_case_failed(trial) ? VERDICT_NOT_REACHED : failure->verdict;
     for (int i = 0; i < SIZED_CHECKS; i++) {
         struct check_result *check = &trial->checks[sized_checks[i]];
         check_say(check, verdict, failure->cause, "With the input %s of size %lld: %s",
                   "Con la entrada %s de tamaño %lld: %s", yardstick->judge->families[family],
-                  (long long)yardstick->sizes[run->done], failure->message);
+                  (long long)yardstick->sizes[size_index], failure->message);
         snprintf(check->message_es, sizeof check->message_es,
                  "Con la entrada %s de tamaño %lld: %s", yardstick->judge->families[family],
-                 (long long)yardstick->sizes[run->done], failure->message_es);
+                 (long long)yardstick->sizes[size_index], failure->message_es);
     }
 }
 
@@ -42,7 +42,7 @@ static int measure_memory(struct trial *trial, int family, bool *right, struct e
                               trial->families[family].costs, &run, err);
     *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
     if (result == 0 && !*right)
-        blame_failure(trial, family, &run);
+        blame_failure(trial, family, run.done, &run.failure);
     if (result == 0 && run.hidden_bytes > 0)
         check_say(
             &trial->checks[CHECK_MEMORY], VERDICT_FLAGGED, "memory-outside-heap",
@@ -65,7 +65,7 @@ static int count_sizes(struct trial *trial, int family, int first, int last, boo
     found->hopeless = run.hopeless;
     *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
     if (result == 0 && !*right)
-        blame_failure(trial, family, &run);
+        blame_failure(trial, family, run.done, &run.failure);
     attempt_release(&run.failure);
     return result;
 }
@@ -231,18 +231,24 @@ static int check_counts(struct trial *trial, struct error *err)
         double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
         double bound = TIME_FLOOR + TIME_TO_COUNT * ratio;
         bool denied;
-        if (trial_time_denies(trial, family, largest, bound, &denied, err) != 0)
-            return -1;
+        struct attempt failure = {0};
+        int result = trial_time_denies(trial, family, largest, bound, &denied, &failure, err);
+        bool right = failure.verdict == VERDICT_PASSED;
+        if (result == 0 && !right)
+            blame_failure(trial, family, largest, &failure);
+        attempt_release(&failure);
+        if (result != 0 || !right)
+            return result;
         if (!denied)
             continue;
         for (int i = 0; i < SIZED_CHECKS; i++)
             check_say(&trial->checks[sized_checks[i]], VERDICT_FLAGGED, "time-denies-counts",
                       "On the inputs %s the counted cost is %.2f times the reference's, but on new "
-                      "meshes the time is more than %.0f times or an answer is wrong: a person "
+                      "meshes the time is more than %.0f times, or no answer comes: a person "
                       "must look.",
                       "Con las entradas %s el coste contado es %.2f veces el de la referencia, "
-                      "pero con mallas nuevas el tiempo es más de %.0f veces o una respuesta es "
-                      "errónea: debe mirarlo una persona.",
+                      "pero con mallas nuevas el tiempo es más de %.0f veces, o no responde: debe "
+                      "mirarlo una persona.",
                       trial->yardstick->judge->families[family], ratio, bound);
         return 0;
     }

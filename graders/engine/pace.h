@@ -16,12 +16,14 @@ struct pace {
     int family, size_index;
     struct series reference, submission;
     struct input fresh; /* the mesh of the pair */
-    uint64_t seed;      /* of the first pair's mesh, drawn anew and told to nobody: what a
-                           submission remembers or brings along is of no use. No mark and no count
-                           depends on which meshes they are */
+    uint64_t seed;      /* of the first pair's mesh; comes from the class's seed, and differs from
+                           those of the meshes on which work is counted: what a submission remembers
+                           or brings along is of no use */
     uint64_t pairs;     /* run so far */
-    bool right;         /* whether the last answer was right; after a wrong one, no further pair */
-    cpu_set_t before;   /* where the engine may run otherwise */
+    bool right;         /* whether the last answer was right */
+    bool gone;          /* the submission did not answer; no further pair */
+    struct attempt failure; /* the first wrong answer; .verdict is VERDICT_PASSED without one */
+    cpu_set_t before;       /* where the engine may run otherwise */
 };
 
 /* The size for paired runs: the largest there is. Short calls are charged mostly for what happens
@@ -29,12 +31,13 @@ struct pace {
  * ratio of one and the same submission between 11 and 14. */
 int pace_size_index(const struct yardstick *yardstick);
 
-/* Starts both programs and runs three pairs to warm up. The trial must be built; it is borrowed.
+/* Starts both programs and runs three pairs to warm up: as many whatever the clock says, so that
+ * whether these answers are right may decide a verdict. The trial must be built; it is borrowed.
  * Returns 0, or -1 and *err: a fault. pace_end must follow in any case. */
 int pace_start(struct pace *pace, struct trial *trial, int family, int size_index,
                struct error *err) MUST_CHECK;
 
-/* One pair, while pace->right.
+/* One pair, while not pace->gone.
  *
  * ratio    gets CPU time of the submission over that of the reference, 0 when it cannot be told
  * returns  0, or -1 and *err: a fault */

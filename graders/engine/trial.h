@@ -101,9 +101,12 @@ int trial_is_slower(struct trial *trial, int family, int size_index, double boun
                     struct error *err) MUST_CHECK;
 
 /* The same question about a bound that no honest submission comes near, asked of every submission:
- * one pair of runs within it answers no, a wrong answer yes. Meshes are drawn anew, told to nobody.
- */
+ * one pair of runs within it answers no. The meshes are others than those that are counted.
+ *
+ * denied   gets whether the time is above the bound, or the submission did not answer
+ * failure  gets a wrong answer to one of the first three meshes, or one whose verdict is
+ *          VERDICT_PASSED; attempt_release must follow */
 int trial_time_denies(struct trial *trial, int family, int size_index, double bound, bool *denied,
-                      struct error *err) MUST_CHECK;
+                      struct attempt *failure, struct error *err) MUST_CHECK;
 
 #endif

@@ -87,7 +87,7 @@ static int find_true_ratio(struct trial *trial, int size_index, double *median, 
     struct pace pace;
     int result = pace_start(&pace, trial, 0, size_index, err);
     for (int i = 0; result == 0 && i < MEDIAN_PAIRS; i++)
-        if (pace_pair(&pace, &ratios[i], err) != 0 || !pace.right)
+        if (pace_pair(&pace, &ratios[i], err) != 0 || pace.gone || !pace.right)
             result = error_set(err, "a pair failed while the true ratio was measured");
     if (pace_end(&pace, err) != 0 || result != 0)
         return -1;

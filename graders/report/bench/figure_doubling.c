@@ -122,7 +122,7 @@ static json_t *panel_of(const struct study *study, struct wanted wanted)
     fast.order = "scrambled";
     add_curve(panel, study, &fast, "scrambled", LOOK_ORANGE, false);
     if (strcmp(variant, "plain") != 0)
-        add_curve(panel, study, &wanted, "plain C", LOOK_GREY, true);
+        add_curve(panel, study, &wanted, "plain C, ordered", LOOK_GREY, true);
     return panel;
 }
 

@@ -47,12 +47,12 @@ static json_t *bar_of(const struct comparison *one)
 {
     char label[80];
     if (one->too_noisy)
-        snprintf(label, sizeof label, "%.3g to %.3g, too noisy", one->low, one->high);
+        snprintf(label, sizeof label, "× %.3g to %.3g", one->low, one->high);
     else if (!one->decided)
         snprintf(label, sizeof label, "× %.3g", one->median);
     else
         snprintf(label, sizeof label, "× %.3g  (%.3g – %.3g)", one->median, one->low, one->high);
-    enum look look = one->too_noisy ? LOOK_GREY : one->median < 1 ? LOOK_ORANGE : LOOK_BLUE;
+    enum look look = one->low > 1 ? LOOK_BLUE : one->high < 1 ? LOOK_ORANGE : LOOK_GREY;
     json_t *bar = json_pack("{s:s, s:s, s:i, s:f}", "name", one->title, "label", label, "look",
                             (int)look, "value", one->median);
     if (one->decided || one->too_noisy) {
@@ -90,7 +90,7 @@ static json_t *scene(const struct study *study)
                      "guides", figure_guide("x", 1, "as fast as ours"), "groups", groups, "legend",
                      figure_key("bar", LOOK_BLUE, "peer slower"),
                      figure_key("bar", LOOK_ORANGE, "peer faster"),
-                     figure_key("bar", LOOK_GREY, "too noisy to say"));
+                     figure_key("bar", LOOK_GREY, "undecided: the interval holds 1"));
 }
 
 /* All comparisons of the run, on every mesh. */
