@@ -6,8 +6,10 @@
 #include "graders/render/surfaces.hpp"
 #include "graders/render/text.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <optional>
+#include <unordered_map>
 #include <vtkCamera.h>
 
 namespace
@@ -25,6 +27,56 @@ struct strip_set {
     size_t triangle_count = 0;
 };
 
+/* The triangles of strip s, by the lowest number of each place; counts them and adds the rungs. */
+std::vector<triangle> triangles_of(strip_set &set, size_t s, const std::vector<int32_t> &place)
+{
+    std::vector<triangle> triangles;
+    for (size_t i = set.first[s]; i + 1 < set.first[s + 1]; i++) {
+        set.rungs.push_back({int32_t(i), int32_t(i + 1)});
+        if (i + 2 >= set.first[s + 1])
+            continue;
+        bool odd = (i - set.first[s]) % 2 == 1;
+        triangle t = {place[i], place[i + (odd ? 2 : 1)], place[i + (odd ? 1 : 2)]};
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+            continue;
+        triangles.push_back(t);
+        set.triangle_count++;
+    }
+    return triangles;
+}
+
+/* Gives strips their colours in turn, but leaves out those of the strips before that they touch
+ * along an edge, as far as there are others: two strips of one colour would look like one. */
+class colours_in_turn
+{
+  public:
+    int next(const std::vector<triangle> &strip)
+    {
+        bool taken[colour_count] = {};
+        for (const triangle &t : strip)
+            for (int i = 0; i < 3; i++)
+                for (auto [it, end] = sides.equal_range(side(t, i)); it != end; ++it)
+                    taken[it->second] = true;
+        int colour = turn++ % colour_count, tried = 0;
+        for (; taken[colour] && tried < colour_count; tried++)
+            colour = (colour + 1) % colour_count;
+        for (const triangle &t : strip)
+            for (int i = 0; i < 3; i++)
+                sides.emplace(side(t, i), colour);
+        return colour;
+    }
+
+  private:
+    static uint64_t side(const triangle &t, int i)
+    {
+        uint32_t a = uint32_t(t[size_t(i)]), b = uint32_t(t[size_t((i + 1) % 3)]);
+        return uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+    }
+
+    std::unordered_multimap<uint64_t, int> sides; /* colours of the strips at each edge so far */
+    int turn = 0;
+};
+
 strip_set collect(const scene &from)
 {
     strip_set set;
@@ -39,18 +91,12 @@ strip_set collect(const scene &from)
     set.points = box.apply(set.points);
     set.marked = box.apply(from.mesh.points);
     std::vector<int32_t> place = same_places(set.points);
-    for (size_t s = 0; s + 1 < set.first.size(); s++)
-        for (size_t i = set.first[s]; i + 1 < set.first[s + 1]; i++) {
-            set.rungs.push_back({int32_t(i), int32_t(i + 1)});
-            if (i + 2 >= set.first[s + 1])
-                continue;
-            bool odd = (i - set.first[s]) % 2 == 1;
-            triangle t = {place[i], place[i + (odd ? 2 : 1)], place[i + (odd ? 1 : 2)]};
-            if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-                continue;
-            set.triangles[s % colour_count].push_back(t);
-            set.triangle_count++;
-        }
+    colours_in_turn colours;
+    for (size_t s = 0; s + 1 < set.first.size(); s++) {
+        std::vector<triangle> strip = triangles_of(set, s, place);
+        std::vector<triangle> &same = set.triangles[colours.next(strip)];
+        same.insert(same.end(), strip.begin(), strip.end());
+    }
     return set;
 }
 

@@ -1,4 +1,4 @@
-/* Indexed mesh with vertex faces as a representation; see indexed_csr.h. */
+/* Indexed + vertex faces as a representation; see indexed_csr.h. */
 #include "reference/representation/indexed_csr.h"
 
 #include "reference/representation/boundary_chain.h"
@@ -348,7 +348,7 @@ static bool is_edge(const void *self, int32_t u, int32_t v)
 const struct representation representation_indexed_csr = {
     .order = 45,
     .name = "indexed-csr",
-    .title = "Indexed mesh with vertex faces",
+    .title = "Indexed + vertex faces",
     .documents = "-",
     .struct_bytes = sizeof(struct indexed_csr),
     .holds = FEATURE_ALL,

@@ -21,6 +21,7 @@ static void add_arrow(json_t *scene, const struct half_edge_mesh *he, int32_t h,
                       const char *label)
 {
     const double inwards = 0.24, outwards = -0.16, shortened = 0.1;
+    const double label_at = 0.62; /* behind the middle, so that the labels of twins stand apart */
     bool outside = he->half_edges[h].face < 0;
     double by = outside ? outwards : inwards;
     struct place middle = middle_of(he, h);
@@ -29,7 +30,9 @@ static void add_arrow(json_t *scene, const struct half_edge_mesh *he, int32_t h,
     struct place to =
         lesson_between(lesson_vertex(he->positions, half_edge_end(he, h)), middle, by);
     lesson_arrow(scene, lesson_between(from, to, shortened), lesson_between(to, from, shortened),
-                 look, label, outside);
+                 look, "", outside);
+    if (*label)
+        lesson_label(scene, lesson_between(from, to, label_at), look, label);
 }
 
 /* h leaves the vertex in the middle. */

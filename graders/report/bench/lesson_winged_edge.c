@@ -41,7 +41,7 @@ static void add_walk(json_t *scene, const struct winged_edge_mesh *we, int32_t v
         side = next;
     } while (side.edge != first.edge && step < we->edge_count);
     lesson_label(scene, lesson_vertex(we->positions, vertex), LOOK_DARK, "v");
-    lesson_label(scene, on_edge(we, first, 1.22), LOOK_GREEN, "first: taver of v");
+    lesson_label(scene, on_edge(we, first, 1.42), LOOK_GREEN, "first: taver of v");
 }
 
 static json_t *scene(const struct study *study)
