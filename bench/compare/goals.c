@@ -27,6 +27,8 @@ const struct goal goals_table[] = {
     {"face-normals", NULL, "", 0, 0, 2.5, 0, NULL, "for information: no ratio was asked for"},
     {"stripify", NULL, "with the order that strips need", 1, 0, 2.5, 1.01, "meshoptimizer",
      STRIPS_REASON},
+    {"strips-in-order", NULL, "of a mesh in cache order, without ordering", 1, 0, 0, 1.01,
+     "meshoptimizer", STRIPS_REASON},
     {"read-ply-binary", NULL, "", 1, 0, 0, 0, NULL, READERS_REASON},
     {"read-ply-ascii", NULL, "", 1, 0, 0, 0, NULL, READERS_REASON},
     {"read-obj", NULL, "", 1, 0, 0, 0, NULL, READERS_REASON},

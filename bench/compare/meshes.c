@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SCRAMBLE_SEED = 20260101 };
+enum { SCRAMBLE_SEED = 20260101, FLIP_SEED = 20260102 };
 
 static const struct {
     const char *name;
@@ -27,7 +27,7 @@ static const struct {
                             [MESH_HORSE] = {"horse", true},
                             [MESH_MUG] = {"mug", true}};
 
-static const char *const orders[MESH_ORDER_COUNT] = {"generated", "scrambled", "cache"};
+static const char *const orders[MESH_ORDER_COUNT] = {"generated", "scrambled", "cache", "flipped"};
 
 const char *mesh_kind_name(enum mesh_kind kind)
 {
@@ -92,7 +92,7 @@ int bench_mesh_find(const char *name, struct bench_mesh *which, struct error *er
         err,
         "there is no mesh \"%.60s\": write KIND-SIZE-ORDER, as in torus-100k-scrambled; "
         "kinds: grid disc uv-sphere torus icosphere bipyramid bunny horse mug; orders: "
-        "generated scrambled cache",
+        "generated scrambled cache flipped",
         name);
 }
 
@@ -154,6 +154,8 @@ int bench_mesh_make(const struct bench_mesh *which, const char *models, struct m
         result = change_scramble(mesh, SCRAMBLE_SEED, err);
     else if (which->order == MESH_CACHE)
         result = vertex_cache_order(mesh, err);
+    else if (which->order == MESH_FLIPPED)
+        result = change_flip(mesh, 0.5, FLIP_SEED, err);
     if (result != 0)
         mesh_release(mesh);
     return result;

@@ -3,7 +3,7 @@
  *     KIND-SIZE-ORDER
  *
  * Regular grids in the order of their making flatter branchy code 5 to 10 times, so there are real
- * models, and every mesh also scrambled. */
+ * models, and every mesh also scrambled. Flipped ones are for kernels that take any orientation. */
 #ifndef BENCH_COMPARE_MESHES_H
 #define BENCH_COMPARE_MESHES_H
 
@@ -30,6 +30,8 @@ enum mesh_order {
     MESH_GENERATED, /* as the generator or file gives them */
     MESH_SCRAMBLED, /* vertices renumbered, triangles permuted and rotated, seeded */
     MESH_CACHE,     /* triangles and then vertices in an order for the vertex cache */
+    MESH_FLIPPED,   /* as generated, but each triangle turned over or not at random, seeded: no
+                       coherent orientation */
     MESH_ORDER_COUNT
 };
 
@@ -42,7 +44,7 @@ struct bench_mesh {
 const char *mesh_kind_name(enum mesh_kind kind);
 const char *mesh_order_name(enum mesh_order order);
 
-/* Whether meshes of that kind are closed (all are coherently oriented). */
+/* Whether meshes of that kind are closed (all but flipped ones are coherently oriented). */
 bool mesh_kind_is_closed(enum mesh_kind kind);
 
 /* Writes the name: at most `capacity` bytes, 48 suffice. */

@@ -56,10 +56,12 @@ static const struct {
     {"bunny-10k-generated", REPRESENTATIONS | PAPER | READERS, 0, 0, FULL_RUN},
     {"torus-10k-scrambled", REPRESENTATIONS, REPRESENTATIONS | KERNELS, 0, FULL_RUN},
     {"torus-10k-generated", 0, REPRESENTATIONS | KERNELS, 0, FULL_RUN},
+    {"torus-100k-flipped", 0, KERNELS, 0, FULL_RUN},
     {"torus-1M-generated", 0, KERNELS, 0, FULL_RUN},
     {"torus-1M-scrambled", 0, KERNELS, REPRESENTATIONS, FULL_RUN},
     {"bunny-100k-scrambled", 0, KERNELS, REPRESENTATIONS, FULL_RUN},
     {"torus-100k-cache", 0, KERNELS, REPRESENTATIONS, FULL_RUN},
+    {"bunny-100k-flipped", 0, KERNELS, 0, FULL_RUN},
     {"bipyramid-100k-generated", 0, KERNELS, REPRESENTATIONS, NO_RUN},
     {"grid-100k-generated", 0, KERNELS, REPRESENTATIONS, FULL_RUN},
     {"uv-sphere-100k-generated", 0, KERNELS, REPRESENTATIONS, FULL_RUN},
@@ -89,14 +91,15 @@ enum { MESH_COUNT = sizeof meshes / sizeof *meshes };
 static const struct {
     const char *name, *title;
     unsigned what;
-} peers[] = {{"openmesh", "OpenMesh", BENCH_KERNELS | BENCH_READERS},
-             {"cgal", "CGAL Surface_mesh", BENCH_KERNELS | BENCH_READERS},
-             {"vtk", "VTK", BENCH_KERNELS | BENCH_READERS},
-             {"meshoptimizer", "meshoptimizer", BENCH_KERNELS},
-             {"assimp", "assimp", BENCH_READERS},
-             {"openmesh-paper", "OpenMesh", BENCH_PAPER},
-             {"cgal-paper", "CGAL Surface_mesh", BENCH_PAPER},
-             {"standard", "C++ standard library", BENCH_KERNELS}};
+    bool holds_flipped; /* meshes without coherent orientation; half edges cannot */
+} peers[] = {{"openmesh", "OpenMesh", BENCH_KERNELS | BENCH_READERS, false},
+             {"cgal", "CGAL Surface_mesh", BENCH_KERNELS | BENCH_READERS, false},
+             {"vtk", "VTK", BENCH_KERNELS | BENCH_READERS, true},
+             {"meshoptimizer", "meshoptimizer", BENCH_KERNELS, false},
+             {"assimp", "assimp", BENCH_READERS, true},
+             {"openmesh-paper", "OpenMesh", BENCH_PAPER, false},
+             {"cgal-paper", "CGAL Surface_mesh", BENCH_PAPER, false},
+             {"standard", "C++ standard library", BENCH_KERNELS, true}};
 enum { PEER_COUNT = sizeof peers / sizeof *peers };
 
 static struct contender *add_contender(struct job *job, enum contender_kind kind, const char *name,
@@ -131,6 +134,7 @@ static void add_peers(struct job *job, const struct plan_wish *wish)
     for (int i = 0; i < PEER_COUNT && wish->peers; i++) {
         char program[PATH_MAX];
         if (!(peers[i].what & job->what) ||
+            (job->mesh.order == MESH_FLIPPED && !peers[i].holds_flipped) ||
             (wish->subject && !strstr(peers[i].name, wish->subject)))
             continue;
         int length = snprintf(program, sizeof program, "%s/%s", wish->peers_folder, peers[i].name);
@@ -176,12 +180,17 @@ static void add_kernels(struct job *job, const struct plan_wish *wish)
 
 /* ---- the plan ---- */
 
-/* Peers' programs know all operations; each comparison has its own. */
-static const char *operations_of(unsigned what)
+/* Programs know all operations; each comparison has its own. Without coherent orientation only the
+ * edge table means something; strips alone are for meshes in cache order. */
+#define ALL_KERNELS                                                                                \
+    " edges-closed edges-any twins area face-normals vertex-normals stripify vertex-cache "        \
+    "vertex-fetch "
+static const char *operations_of(unsigned what, enum mesh_order order)
 {
+    if (what == BENCH_KERNELS && order == MESH_FLIPPED)
+        return " edges-any ";
     if (what == BENCH_KERNELS)
-        return " edges-closed edges-any twins area face-normals vertex-normals stripify "
-               "vertex-cache vertex-fetch ";
+        return order == MESH_CACHE ? ALL_KERNELS "strips-in-order " : ALL_KERNELS;
     if (what == BENCH_PAPER)
         return " circulator barycentre normals smoothing subdivision collapse ";
     return what == BENCH_READERS ? " read-ply-binary read-ply-ascii read-obj read-off " : NULL;
@@ -205,7 +214,7 @@ static void fill_job(struct job *job, const struct plan_wish *wish, unsigned wha
     job->blocks = blocks_for(wish);
     job->rounds = wish->quick ? 2 : 3;
     job->cold_rounds = 1;
-    job->only = operations_of(what);
+    job->only = operations_of(what, mesh->order);
     if (what == BENCH_REPRESENTATIONS)
         add_representations(job, wish);
     if (what == BENCH_PAPER)

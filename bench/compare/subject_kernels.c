@@ -68,7 +68,7 @@ static int answer_call(void *context, struct worker_answer *answer, struct error
         answer_area(answer, *(const double *)call->output);
     else if (strstr(name, "normals"))
         answer_normals(answer, call->output, call->record_count);
-    else if (strcmp(name, "stripify") == 0)
+    else if (strncmp(name, "strip", 5) == 0) /* stripify, strips-in-order */
         result = answer_stripify(answer, mesh, call->output, call->record_count, err);
     else if (strcmp(name, "vertex-cache") == 0)
         answer_order(answer, call->output, mesh->triangle_count, mesh->vertex_count);

@@ -26,9 +26,23 @@ struct state {
         ordered.resize(indices.size());
         meshopt_optimizeVertexCacheStrip(ordered.data(), indices.data(), indices.size(),
                                          vertex_count);
-        strip.resize(meshopt_stripifyBound(indices.size()));
+        strips_of(ordered);
+    }
+
+    // The strips alone, of the triangles in the order that they have.
+    void strips_of(const std::vector<unsigned int> &triangles)
+    {
+        strip.resize(meshopt_stripifyBound(triangles.size()));
         strip_count =
-            meshopt_stripify(strip.data(), ordered.data(), ordered.size(), vertex_count, ~0u);
+            meshopt_stripify(strip.data(), triangles.data(), triangles.size(), vertex_count, ~0u);
+    }
+
+    // ~0u is STRIP_RESTART.
+    void tell_strips(worker_answer &answer) const
+    {
+        std::vector<std::int32_t> found(strip.begin(),
+                                        strip.begin() + static_cast<std::ptrdiff_t>(strip_count));
+        answer_strips(&answer, found.data(), static_cast<std::int64_t>(found.size()));
     }
 };
 
@@ -41,13 +55,11 @@ std::vector<peer::operation> make(const snapshot &snapshot, const std::string &)
     return {{"stripify",
              [s] { s->stripify(); },
              {},
-             [s](worker_answer &answer) {
-                 // ~0u is STRIP_RESTART
-                 std::vector<std::int32_t> indices(s->strip.begin(),
-                                                   s->strip.begin() +
-                                                       static_cast<std::ptrdiff_t>(s->strip_count));
-                 answer_strips(&answer, indices.data(), static_cast<std::int64_t>(indices.size()));
-             }},
+             [s](worker_answer &answer) { s->tell_strips(answer); }},
+            {"strips-in-order",
+             [s] { s->strips_of(s->indices); },
+             {},
+             [s](worker_answer &answer) { s->tell_strips(answer); }},
             {"vertex-cache",
              [s] { s->order(); },
              {},

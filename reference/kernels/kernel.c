@@ -7,6 +7,7 @@
 #include "reference/kernels/edges_closed.h"
 #include "reference/kernels/normals.h"
 #include "reference/kernels/stripify.h"
+#include "reference/kernels/strips_in_order.h"
 #include "reference/kernels/threads.h"
 #include "reference/kernels/twins.h"
 #include "reference/kernels/vertex_cache.h"
@@ -114,6 +115,12 @@ const struct kernel kernel_table[] = {
 #if defined(__x86_64__)
     {"stripify", "avx512", "index", false, cpu_has_avx512, stripify_scratch_bytes,
      stripify_output_bytes, stripify_moved_bytes, stripify_avx512, NULL},
+#endif
+    {"strips-in-order", "plain", "index", false, always, no_scratch, stripify_output_bytes,
+     stripify_moved_bytes, strips_in_order_plain, NULL},
+#if defined(__x86_64__)
+    {"strips-in-order", "avx512", "index", false, cpu_has_avx512, no_scratch, stripify_output_bytes,
+     stripify_moved_bytes, strips_in_order_avx512, NULL},
 #endif
     {"vertex-cache", "plain", "triangle", false, always, vertex_cache_scratch_bytes,
      vertex_cache_output_bytes, vertex_cache_moved_bytes, vertex_cache_plain, NULL},

@@ -59,10 +59,10 @@ static void assert_same_triangles(const struct mesh *mesh, const int32_t *triang
     free(found);
 }
 
-static void strips_hold_each_triangle_once(const struct mesh *mesh)
+static void kernel_holds_each_triangle_once(const char *kernel, const struct mesh *mesh)
 {
     int64_t count;
-    int32_t *indices = run_guarded(kernel_find("stripify", "plain"), mesh, &count);
+    int32_t *indices = run_guarded(kernel_find(kernel, "plain"), mesh, &count);
     assert_true(count <= 4 * (int64_t)mesh->triangle_count);
     int32_t *triangles = table(3 * (size_t)count, sizeof *triangles);
     int64_t triangle_count = strips_triangles(indices, count, triangles);
@@ -80,7 +80,13 @@ static void strips_hold_each_triangle_once(const struct mesh *mesh)
     free(joined);
     free(triangles);
     free_guarded(indices);
-    check_variants_equal("stripify", mesh, sizeof(int32_t));
+    check_variants_equal(kernel, mesh, sizeof(int32_t));
+}
+
+static void strips_hold_each_triangle_once(const struct mesh *mesh)
+{
+    kernel_holds_each_triangle_once("stripify", mesh);
+    kernel_holds_each_triangle_once("strips-in-order", mesh);
 }
 
 static void every_triangle_is_in_one_strip(void **state)

@@ -240,6 +240,7 @@ static const struct operation_words *words_of(const char *operation)
         {"edges-any", "edge table, any orientation", "edges, any"},
         {"twins", "twins of half edges", "twins"},
         {"stripify", "strips of any mesh", "strips"},
+        {"strips-in-order", "strips of the triangles in their order", "strips, in order"},
         {"vertex-cache", "order for the vertex cache", "cache order"},
         {"vertex-fetch", "order of first use of vertices", "fetch order"},
         {"read-ply-binary", "reading binary PLY", "binary PLY"},
