@@ -46,7 +46,10 @@ struct parser {
     enum event events[EVENTS_MAX];
     int event_count, position_count;
     bool has_part, has_summary;
-    bool skip_cost;             /* the next cost line belongs to a call */
+    bool is_call;       /* the next cost line is what a call took */
+    int64_t callee;     /* the function that it calls */
+    const char *caller; /* the calls that are added up, NULL: none */
+    const char *const *callees;
     struct function *functions; /* by number */
     int64_t function_capacity, current;
     struct callgrind_dump *dump;
@@ -143,14 +146,28 @@ static int read_events(struct parser *parser, struct slice line)
     return has_instructions ? 0 : fail(parser, "no Ir among the events");
 }
 
-static int read_summary(struct parser *parser, struct slice line)
+static int64_t *count_of(struct callgrind_counts *counts, enum event event)
 {
-    struct callgrind_counts *counts = &parser->dump->counts;
-    if (!parser->event_count)
-        return fail(parser, "summary before events");
-    if (parser->has_summary)
-        return fail(parser, "a second dump in the same file");
-    parser->has_summary = true;
+    switch (event) {
+    case EVENT_IR:
+        return &counts->instructions;
+    case EVENT_DR:
+        return &counts->data_reads;
+    case EVENT_DW:
+        return &counts->data_writes;
+    case EVENT_L1:
+        return &counts->l1_misses;
+    case EVENT_LL:
+        return &counts->ll_misses;
+    case EVENT_OTHER:
+        break;
+    }
+    return NULL;
+}
+
+/* Adds a line of one count an event, trailing zeros left out. */
+static int add_counts(struct parser *parser, struct slice line, struct callgrind_counts *counts)
+{
     for (int i = 0; i < parser->event_count; i++) {
         int64_t value = 0;
         struct slice left = line, word;
@@ -158,27 +175,21 @@ static int read_summary(struct parser *parser, struct slice line)
             break;
         if (!next_count(&line, &value))
             return fail(parser, "not a count, or above 10^15");
-        switch (parser->events[i]) {
-        case EVENT_IR:
-            counts->instructions += value;
-            break;
-        case EVENT_DR:
-            counts->data_reads += value;
-            break;
-        case EVENT_DW:
-            counts->data_writes += value;
-            break;
-        case EVENT_L1:
-            counts->l1_misses += value;
-            break;
-        case EVENT_LL:
-            counts->ll_misses += value;
-            break;
-        case EVENT_OTHER:
-            break;
-        }
+        int64_t *sum = count_of(counts, parser->events[i]);
+        if (sum && __builtin_add_overflow(*sum, value, sum))
+            return fail(parser, "counts that overflow");
     }
     return 0;
+}
+
+static int read_summary(struct parser *parser, struct slice line)
+{
+    if (!parser->event_count)
+        return fail(parser, "summary before events");
+    if (parser->has_summary)
+        return fail(parser, "a second dump in the same file");
+    parser->has_summary = true;
+    return add_counts(parser, line, &parser->dump->counts);
 }
 
 static int read_positions(struct parser *parser, struct slice line)
@@ -216,7 +227,7 @@ static struct function *function_at(struct parser *parser, int64_t number)
     return &parser->functions[number];
 }
 
-/* `(104) edge_table_any`, `(104)`: remembers the name; `number` may be NULL. */
+/* `(104) edge_table_any`, `(104)`: remembers the name. */
 static int read_function(struct parser *parser, struct slice line, int64_t *number)
 {
     int64_t at;
@@ -228,23 +239,40 @@ static int read_function(struct parser *parser, struct slice line, int64_t *numb
         return -1;
     if (line.at < line.end)
         function->name = line;
-    if (number)
-        *number = at;
+    *number = at;
     return 0;
+}
+
+static bool is_name(struct slice slice, const char *name)
+{
+    size_t length = strlen(name);
+    return slice.at && (size_t)(slice.end - slice.at) == length &&
+           memcmp(slice.at, name, length) == 0;
+}
+
+/* Whether the call that was just read is one of those that are added up. */
+static bool is_wanted_call(const struct parser *parser)
+{
+    if (!parser->caller || !is_name(parser->functions[parser->current].name, parser->caller))
+        return false;
+    for (const char *const *callee = parser->callees; *callee; callee++)
+        if (is_name(parser->functions[parser->callee].name, *callee))
+            return true;
+    return false;
 }
 
 static int read_cost(struct parser *parser, struct slice line)
 {
     struct slice word;
-    if (parser->skip_cost) {
-        parser->skip_cost = false;
-        return 0;
-    }
+    bool is_call = parser->is_call;
+    parser->is_call = false;
     for (int i = 0; i < parser->position_count; i++)
         if (!next_word(&line, &word))
             return fail(parser, "a cost line without a position");
     if (parser->current < 0)
         return fail(parser, "a cost before any function");
+    if (is_call)
+        return is_wanted_call(parser) ? add_counts(parser, line, &parser->dump->called) : 0;
     for (int i = 0; i < parser->event_count && next_word(&line, &word); i++) {
         int64_t value;
         if (!take_number(&word, &value))
@@ -268,17 +296,19 @@ static int read_line(struct parser *parser, struct slice line)
         parser->has_part = next_count(&line, &parser->dump->part);
         return parser->has_part ? 0 : fail(parser, "not a part number");
     }
-    if (take(&line, "desc: Trigger: Client Request:")) {
-        copy_name(parser->dump->label, sizeof parser->dump->label, line);
+    if (take(&line, "desc: Trigger:")) {
+        copy_name(parser->dump->trigger, sizeof parser->dump->trigger, line);
+        if (take(&line, "Client Request:"))
+            copy_name(parser->dump->label, sizeof parser->dump->label, line);
         return 0;
     }
     if (take(&line, "fn="))
         return read_function(parser, line, &parser->current);
     if (take(&line, "cfn="))
-        return read_function(parser, line, NULL);
+        return read_function(parser, line, &parser->callee);
     if (take(&line, "calls=")) {
-        parser->skip_cost = true;
-        return 0;
+        parser->is_call = true;
+        return parser->callee < 0 ? fail(parser, "a call of no function") : 0;
     }
     if (line.at < line.end && strchr("0123456789+-*", *line.at) && *line.at)
         return read_cost(parser, line);
@@ -305,13 +335,21 @@ static void find_hottest(struct parser *parser)
     }
 }
 
-int callgrind_parse(const char *text, size_t bytes, struct callgrind_dump *dump, struct error *err)
+int callgrind_parse_calls(const char *text, size_t bytes, const char *caller,
+                          const char *const *callees, struct callgrind_dump *dump,
+                          struct error *err)
 {
     *dump = (struct callgrind_dump){0};
     if (!bytes)
         text = "";
-    struct parser parser = {
-        .rest = {text, text + bytes}, .position_count = 1, .current = -1, .dump = dump, .err = err};
+    struct parser parser = {.rest = {text, text + bytes},
+                            .position_count = 1,
+                            .current = -1,
+                            .callee = -1,
+                            .caller = caller,
+                            .callees = callees,
+                            .dump = dump,
+                            .err = err};
     struct slice line;
     int result = 0;
     while (result == 0 && next_line(&parser, &line))
@@ -322,6 +360,11 @@ int callgrind_parse(const char *text, size_t bytes, struct callgrind_dump *dump,
         find_hottest(&parser);
     free(parser.functions);
     return result;
+}
+
+int callgrind_parse(const char *text, size_t bytes, struct callgrind_dump *dump, struct error *err)
+{
+    return callgrind_parse_calls(text, bytes, NULL, NULL, dump, err);
 }
 
 int64_t callgrind_cost(const struct callgrind_counts *counts)

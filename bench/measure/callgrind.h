@@ -1,14 +1,13 @@
 /* What valgrind's callgrind counted around one call: its dump, read from memory.
  *
  * The counts repeat bit for bit when program, input, arguments and environment are the same. The
- * run that gives one dump a call, with counts of that call alone:
+ * run that gives one dump a call:
  *
- *     valgrind -q --tool=callgrind --vgdb=no --collect-atstart=no --cache-sim=yes
- *       --I1=32768,8,64 --D1=32768,8,64 --LL=8388608,16,64 --callgrind-out-file=counts program
+ *     valgrind -q --tool=callgrind --vgdb=no --cache-sim=yes --I1=32768,8,64 --D1=32768,8,64
+ *       --LL=8388608,16,64 --dump-line=no --dump-before=f --callgrind-out-file=counts program
  *
- * where the program does CALLGRIND_TOGGLE_COLLECT before and after the call and then
- * CALLGRIND_DUMP_STATS_AT("label"): counts.1, counts.2, ... are the calls; the file without a
- * number is the end of the program and counts nothing.
+ * where the program calls the function f after each call that is to be counted: counts.1, counts.2,
+ * ... are these; the file without a number is the end of the program.
  *
  * Source: "Callgrind Format Specification" in valgrind's manual. */
 #ifndef BENCH_MEASURE_CALLGRIND_H
@@ -36,10 +35,14 @@ struct callgrind_function {
 };
 
 struct callgrind_dump {
-    int64_t part;    /* 1, 2, ...: the how-manieth dump of the run */
-    char label[64];  /* of CALLGRIND_DUMP_STATS_AT, "" when something else dumped */
-    bool has_misses; /* false: no cache simulation, and all but instructions are 0 */
-    struct callgrind_counts counts;
+    int64_t part;     /* 1, 2, ...: the how-manieth dump of the run */
+    char trigger[80]; /* what made it dump: "--dump-before=function", "Client Request: label",
+                         "Program termination" */
+    char label[64];   /* of CALLGRIND_DUMP_STATS_AT, "" when something else dumped */
+    bool has_misses;  /* false: no cache simulation, and all but instructions are 0 */
+    struct callgrind_counts counts; /* all that was collected */
+    struct callgrind_counts
+        called;        /* of that, what certain calls took; see callgrind_parse_calls */
     int hottest_count; /* functions with instructions of their own, most first */
     struct callgrind_function hottest[CALLGRIND_HOTTEST];
 };
@@ -52,6 +55,15 @@ struct callgrind_dump {
  * Cost: one pass over the text; memory proportional to the largest function number. */
 int callgrind_parse(const char *text, size_t bytes, struct callgrind_dump *dump,
                     struct error *err) MUST_CHECK;
+
+/* The same, and how much of the counts went into certain calls, with all that these call in turn.
+ *
+ * caller   name of the function that calls
+ * callees  names of the functions that it calls, NULL-terminated; the sum over all of them and over
+ *          all calls goes to dump->called */
+int callgrind_parse_calls(const char *text, size_t bytes, const char *caller,
+                          const char *const *callees, struct callgrind_dump *dump,
+                          struct error *err) MUST_CHECK;
 
 /* Counted cost: instructions + 10 first-level + 100 last-level misses, a stand-in for time that
  * repeats exactly. Against time it is within a factor of 2 or so between honest algorithms, so it

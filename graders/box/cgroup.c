@@ -4,7 +4,6 @@
  * engine's group. */
 #include "graders/box/inside.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <signal.h>
 #include <stdatomic.h>
@@ -16,7 +15,6 @@
 #include <unistd.h>
 
 static const char mount_point[] = "/sys/fs/cgroup";
-static const char group_prefix[] = "meshgrade.";
 
 enum { PATH_BYTES = sizeof((struct box *)0)->cgroup_memory };
 
@@ -58,27 +56,6 @@ static int own_path(const char *controller, char *out, size_t capacity)
     return -1;
 }
 
-/* Removes what an engine that was killed left behind. A group still in use is not empty and stays.
- */
-static void sweep(const char *parent)
-{
-    DIR *folder = opendir(parent);
-    struct dirent *entry;
-    while (folder && (entry = readdir(folder))) {
-        char path[2 * PATH_BYTES];
-        size_t length = sizeof group_prefix - 1;
-        if (strncmp(entry->d_name, group_prefix, length) != 0)
-            continue;
-        long pid = strtol(entry->d_name + length, NULL, 10);
-        if (pid <= 0 || kill((pid_t)pid, 0) == 0 || errno != ESRCH)
-            continue;
-        snprintf(path, sizeof path, "%s/%s", parent, entry->d_name);
-        rmdir(path);
-    }
-    if (folder)
-        closedir(folder);
-}
-
 /* The folder of the engine's own group. In a container the path in /proc can be the host's; its own
  * group is then the mounted root. */
 static int find_parent(const char *controller, char *out, size_t capacity)
@@ -94,31 +71,32 @@ static int find_parent(const char *controller, char *out, size_t capacity)
     return access(out, F_OK);
 }
 
-/* Once a process: what is left can only be of earlier ones. */
-static void sweep_once(void)
+/* Once an engine, before it makes its first group. An engine that was killed may have had another
+ * group of its own, so root looks everywhere; others may remove groups only in their own. */
+static void sweep_once(bool version_2)
 {
-    static const char *const controllers[] = {"", "memory", "pids", "cpuacct"};
-    static atomic_int swept_by;
-    char parent[PATH_BYTES];
-    if (atomic_exchange(&swept_by, getpid()) == getpid())
+    static const char *const controllers[] = {"memory", "pids", "cpuacct"};
+    static atomic_flag swept = ATOMIC_FLAG_INIT; /* workers inherit it */
+    if (atomic_flag_test_and_set(&swept))
         return;
-    for (size_t i = 0; i < sizeof controllers / sizeof controllers[0]; i++)
-        if (find_parent(controllers[i], parent, sizeof parent) == 0) {
-            sweep(parent);
-            char *last = strrchr(parent, '/');
-            if (!*controllers[i] && last >= parent + sizeof mount_point - 1) {
-                *last = '\0';
-                sweep(parent); /* see make_version_2_group */
-            }
-        }
+    for (size_t i = 0; i < (version_2 ? 1 : sizeof controllers / sizeof controllers[0]); i++) {
+        const char *controller = version_2 ? "" : controllers[i];
+        char root[PATH_BYTES];
+        snprintf(root, sizeof root, "%s/%s", mount_point, controller);
+        if (geteuid() == 0)
+            leftovers_sweep(root);
+        else if (find_parent(controller, root, sizeof root) == 0)
+            leftovers_sweep(root);
+    }
 }
 
 /* Makes a group in `parent`. Leaves `out` empty when it cannot, with errno. */
 static int make_group(const char *parent, char *out)
 {
     static atomic_uint sequence;
-    unsigned number = atomic_fetch_add(&sequence, 1);
-    int length = snprintf(out, PATH_BYTES, "%s/%s%d.%u", parent, group_prefix, getpid(), number);
+    char name[LEFTOVERS_NAME];
+    leftovers_name(name, atomic_fetch_add(&sequence, 1));
+    int length = snprintf(out, PATH_BYTES, "%s/%s", parent, name);
     if (length >= PATH_BYTES || mkdir(out, 0755)) {
         int error = length >= PATH_BYTES ? ENAMETOOLONG : errno;
         out[0] = '\0';
@@ -234,8 +212,9 @@ void cgroup_make(const struct box_plan *plan, struct box *box)
     uint32_t all = 1u << BOX_CGROUP_MEMORY | 1u << BOX_CGROUP_PIDS | 1u << BOX_CGROUP_CPU;
     if ((plan->disabled_layers & all) == all)
         return;
-    sweep_once();
-    if (access("/sys/fs/cgroup/cgroup.controllers", F_OK) == 0) {
+    bool version_2 = access("/sys/fs/cgroup/cgroup.controllers", F_OK) == 0;
+    sweep_once(version_2);
+    if (version_2) {
         make_version_2(plan, box);
         return;
     }

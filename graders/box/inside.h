@@ -131,6 +131,15 @@ uint64_t cgroup_peak_bytes(const struct box *box);
 int64_t cgroup_cpu_ns(const struct box *box); /* -1: not known */
 bool cgroup_remove(struct box *box);          /* true: nothing is left */
 
+/* ---- leftovers.c */
+enum { LEFTOVERS_NAME = 80 };
+
+/* The name of this process's group of that number. */
+void leftovers_name(char out[LEFTOVERS_NAME], unsigned number);
+
+/* Removes, in and below the folder `root`, the empty groups of processes that are no more. */
+void leftovers_sweep(const char *root);
+
 /* ---- refusal.c */
 /* Reads one refused call from box->notify. Returns true when it must end the program. */
 bool refusal_take(struct box *box);

@@ -42,7 +42,7 @@ static void explain_signal(int signal_number, const struct control *claims, stru
     else if (signal_number == SIGPIPE)
         attempt_say(attempt, VERDICT_CRASH, "broken-pipe",
                     "Your function wrote to a pipe that nobody reads.",
-                    "Su función escribió en una tubería que nadie lee.");
+                    "Tu función escribió en una tubería que nadie lee.");
     else if (in_answer)
         attempt_say(attempt, VERDICT_CRASH, "wild-pointer",
                     "The pointer that your function returned cannot be read as far as its count "

@@ -301,6 +301,19 @@ static int check_screen(const struct exercise *exercise, struct build *build, st
     return build->refusal.refused ? 0 : screen_one(exercise, "all.s.o", true, build, err);
 }
 
+/* The program that is counted, as it was linked. */
+static int check_program(struct build *build, struct error *err)
+{
+    char *bytes;
+    size_t count;
+    if (file_read_below(build->folder, program_names[PROGRAM_PLAIN], 2 * FILE_LIMIT_BYTES, &bytes,
+                        &count, err) != 0)
+        return -1;
+    screen_program(bytes, count, &build->refusal);
+    free(bytes);
+    return 0;
+}
+
 /* Policy and screen look at what the compiler made. A missing function is told better by the screen
  * than by the linker, so both run after a failed link too. */
 static int check_build(const struct exercise *exercise, const struct source *sources, int count,
@@ -313,9 +326,10 @@ static int check_build(const struct exercise *exercise, const struct source *sou
     if (check_policy(build, sources, count, err) != 0 ||
         (!build->refusal.refused && check_screen(exercise, build, err) != 0))
         return -1;
-    if (!build->refusal.refused)
-        build->refusal = of_linker;
-    return 0;
+    if (build->refusal.refused)
+        return 0;
+    build->refusal = of_linker;
+    return of_linker.refused ? 0 : check_program(build, err);
 }
 
 static int open_programs(struct build *build, struct error *err)

@@ -1,7 +1,6 @@
 /* Measures memory and work on sized inputs; see count.h. */
 #include "graders/engine/count.h"
 
-#include "graders/engine/files.h"
 #include "graders/engine/series.h"
 
 #include <stdio.h>
@@ -10,8 +9,8 @@
 #include <unistd.h>
 
 enum {
-    DUMP_LIMIT_BYTES = 16 << 20,
     SIZES_BEFORE_HOPELESS = 4,
+    BESIDE_SLACK = 200000,          /* instructions */
     HOPELESS_RATIO = 50,            /* cost over the reference's ... */
     ALLOCATION_OVERHEAD_BYTES = 64, /* of a block, at most */
     OVERHEAD_TO_HEAP = 8,           /* blocks of 8 bytes on average, at the least */
@@ -126,31 +125,60 @@ static void read_memory(const struct range *range, const struct series *series, 
     cost->stack_bytes = possible(claims->stack_bytes, STACK_BYTES_MAX);
 }
 
-static int read_counts(const struct series *series, int part, struct cost *cost, struct error *err)
+/* What the process does around the call is the runner's own, about as much as around the
+ * reference's. More than that is the submission's too, whatever way it found to work there; and so
+ * is all of it when callgrind lost sight of the call, or knows its function by another name. */
+static void charge(const struct cost *reference, const struct callgrind_dump *dump,
+                   struct cost *cost)
 {
-    char name[32];
-    char *text;
-    size_t bytes;
-    struct callgrind_dump dump;
-    snprintf(name, sizeof name, "counts.%d", part);
-    if (file_read_below(series->folder, name, DUMP_LIMIT_BYTES, &text, &bytes, err) != 0)
-        return -1;
-    int result = callgrind_parse(text, bytes, &dump, err);
-    free(text);
-    if (result != 0)
-        return -1;
-    cost->counts = dump.counts;
+    int64_t called = dump->called.instructions;
+    cost->beside_instructions = dump->counts.instructions - called;
+    bool is_alone = called > 0 &&
+                    (!reference->counted || cost->beside_instructions <=
+                                                2 * reference->beside_instructions + BESIDE_SLACK);
+    cost->counts = is_alone ? dump->called : dump->counts;
     cost->counted = true;
+}
+
+static int take_dump(const struct range *range, struct series *series, const char *trigger,
+                     struct callgrind_dump *dump, struct error *err)
+{
+    const struct exercise *exercise = range->yardstick->exercise;
+    const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL};
+    for (int i = 0; i < exercise->function_count; i++)
+        functions[i] = exercise->functions[i];
+    return dumps_take(&series->dumps, trigger, SERIES_CALLER, functions, dump, err);
+}
+
+static int read_counts(const struct range *range, struct series *series, int size_index,
+                       struct cost *cost, struct error *err)
+{
+    struct callgrind_dump dump;
+    if (take_dump(range, series, SERIES_DUMPED_CALL, &dump, err) != 0)
+        return -1;
+    charge(&range->yardstick->costs[range->family][size_index], &dump, cost);
     return 0;
 }
 
-/* The dump lies in a folder where the submission can write too: one that cannot be read may be its
- * doing as well as ours, and gives no mark either way. */
+/* The dump at the end of the program has the number that follows: so all before were callgrind's.
+ * There is none of a program that did not end through valgrind, with its own exit code. */
+static int check_end(const struct range *range, struct series *series,
+                     const struct box_outcome *outcome, struct error *err)
+{
+    struct callgrind_dump dump;
+    if (outcome->end != BOX_ENDED_EXIT || outcome->exit_code != 0)
+        return error_set(err, "the program did not end when it was told to");
+    return take_dump(range, series, SERIES_DUMPED_END, &dump, err);
+}
+
+/* A submission in valgrind's process can write where valgrind writes. What is not exactly what
+ * callgrind would have written may be its doing as well as ours, and gives no mark either way. */
 static void blame_dump(const struct error *why, struct attempt *failure)
 {
     attempt_say(failure, VERDICT_FLAGGED, "no-counts",
-                "The counts of your work could not be read (%.200s): a person must look.",
-                "No se pudieron leer las cuentas de su trabajo (%.200s): debe mirarlo una persona.",
+                "The counts of your work are not to be believed (%.200s): a person must look.",
+                "No se puede confiar en las cuentas de tu trabajo (%.200s): debe mirarlo una "
+                "persona.",
                 why->text);
 }
 
@@ -184,15 +212,21 @@ static int measure(const struct range *range, const struct build *build, enum se
         struct error unread = {""};
         if (tool == SERIES_PLAIN)
             read_memory(range, &series, &costs[i]);
-        else if (read_counts(&series, i - range->first + 1, &costs[i], &unread) != 0)
+        else if (read_counts(range, &series, i, &costs[i], &unread) != 0)
             blame_dump(&unread, &run->failure);
         if (unread.text[0])
             break;
         run->done++;
         run->hopeless = is_hopeless(costs, reference, i, range->first);
     }
+    bool counted = tool == SERIES_CALLGRIND && series.started && series.end == CALL_ANSWERED &&
+                   run->failure.verdict == VERDICT_PASSED;
+    struct error unproven = {""};
     if (series.started && series_end(&series, &run->failure, err) != 0)
         result = -1;
+    else if (result == 0 && counted &&
+             check_end(range, &series, &run->failure.outcome, &unproven) != 0)
+        blame_dump(&unproven, &run->failure);
     series_release(&series);
     return result;
 }

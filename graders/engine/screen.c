@@ -209,6 +209,16 @@ static int read_header(struct object *o)
 
 /* ---------------------------------------------------------------- code */
 
+/* Refuses bytes that make a request to valgrind. */
+static int check_requests(const void *bytes, size_t count, struct refusal *refusal)
+{
+    if (!memmem(bytes, count, request_preamble, sizeof request_preamble))
+        return 0;
+    return refuse(refusal, "tool-request",
+                  "The code speaks to valgrind, which measures it; that is not allowed.",
+                  "El código habla con valgrind, que lo mide; no está permitido.");
+}
+
 static int refuse_kernel_entry(struct object *o, const char *section)
 {
     return refuse(&o->screen->refusal, "system-call-instruction",
@@ -225,10 +235,8 @@ static int check_code(struct object *o, const char *name, const Elf64_Shdr *sect
     o->code_bytes += section->sh_size;
     if (o->code_bytes > o->count)
         return refuse_malformed(o, "its sections overlap");
-    if (memmem(code, section->sh_size, request_preamble, sizeof request_preamble))
-        return refuse(&o->screen->refusal, "tool-request",
-                      "The code speaks to valgrind, which measures it; that is not allowed.",
-                      "El código habla con valgrind, que lo mide; no está permitido.");
+    if (check_requests(code, section->sh_size, &o->screen->refusal))
+        return -1;
     for (size_t at = 0; at < section->sh_size;) {
         struct instruction next = instruction_decode(code + at, section->sh_size - at);
         if (next.enters_kernel)
@@ -539,6 +547,11 @@ int screen_object(const void *bytes, size_t count, const struct screen_rules *ru
     for (const char *const *f = rules->functions; result == 0 && *f; f++)
         result = check_function(&o, *f);
     return 0;
+}
+
+void screen_program(const void *bytes, size_t count, struct refusal *refusal)
+{
+    (void)check_requests(bytes, count, refusal);
 }
 
 void screen_release(struct screen *screen)

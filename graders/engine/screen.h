@@ -51,6 +51,12 @@ struct screen {
 int screen_object(const void *bytes, size_t count, const struct screen_rules *rules,
                   struct screen *screen, struct error *err) MUST_CHECK;
 
+/* Screens a linked program, after its object: what the linker put together must not speak to
+ * valgrind either, so that nothing in it can tell the tool that counts its work to stop.
+ *
+ * refusal  filled when refused: tool-request */
+void screen_program(const void *bytes, size_t count, struct refusal *refusal);
+
 void screen_release(struct screen *screen);
 
 #endif

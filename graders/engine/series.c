@@ -25,7 +25,8 @@ static const char ASAN_OPTIONS[] =
  * the host's paths; callgrind would make a relative name absolute, and its user may not pass all
  * folders above, but /proc/self/cwd leads there at once. GLIBC_TUNABLES pins libc's choice of
  * string functions: counts then agree between machines. Caches of declared size, not this
- * machine's. */
+ * machine's. Everything is collected, and dumped when the runner's function is entered that
+ * follows a call: the program itself asks valgrind for nothing. */
 static const struct {
     enum program_kind program;
     uint32_t mode;
@@ -36,8 +37,8 @@ static const struct {
     [SERIES_CALLGRIND] = {PROGRAM_PLAIN,
                           MODE_COUNT,
                           {"/usr/bin/valgrind", "-q", "--tool=callgrind", "--vgdb=no",
-                           "--collect-atstart=no", "--cache-sim=yes", "--I1=32768,8,64",
-                           "--D1=32768,8,64", "--LL=8388608,16,64",
+                           "--cache-sim=yes", "--dump-line=no", SERIES_DUMPED_CALL,
+                           "--I1=32768,8,64", "--D1=32768,8,64", "--LL=8388608,16,64",
                            "--callgrind-out-file=/proc/self/cwd/counts", "./plain", NULL},
                           {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp",
                            "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-AVX512VL,-ERMS,-FSRM",
@@ -54,28 +55,6 @@ static const struct {
                           NULL},
                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp", NULL}},
 };
-
-/* The files that callgrind will dump to, "counts" and one a call, are there before the submission
- * is, and it can make none itself: so it cannot put something where callgrind then fails to write.
- * What it writes into them is gone when callgrind opens them. */
-static int make_dumps(const struct series *series, struct error *err)
-{
-    for (int call = 0; call <= SIZES_MAX; call++) {
-        char path[PATH_MAX + 32];
-        size_t used = (size_t)snprintf(path, sizeof path, "%s/counts", series->folder);
-        if (call > 0)
-            snprintf(path + used, sizeof path - used, ".%d", call);
-        int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file < 0 || fchmod(file, 0666) != 0) {
-            error_set(err, "%s: %s", path, strerror(errno));
-            if (file >= 0)
-                close(file);
-            return -1;
-        }
-        close(file);
-    }
-    return 0;
-}
 
 /* Valgrind writes what its program sees of /proc into files of its own. A folder in /work serves
  * also where the box has no /tmp. */
@@ -97,13 +76,14 @@ static int make_folder(struct series *series, const struct series_plan *plan, st
         return -1;
     if (make_scratch(series, err) != 0)
         return -1;
-    return plan->tool == SERIES_CALLGRIND ? make_dumps(series, err)
-                                          : box_give_folder(series->folder, err);
+    return plan->tool == SERIES_CALLGRIND
+               ? dumps_make(&series->dumps, series->folder, SIZES_MAX, err)
+               : box_give_folder(series->folder, err);
 }
 
 struct series series_none(void)
 {
-    struct series none = {.input = {.fd = -1}, .end = CALL_ANSWERED};
+    struct series none = {.input = {.fd = -1}, .dumps = dumps_none(), .end = CALL_ANSWERED};
     none.session.control_region.fd = none.session.answer.fd = none.session.output.fd = -1;
     return none;
 }
@@ -135,6 +115,8 @@ int series_start(struct series *series, const struct series_plan *plan, struct e
             (uint64_t)heap_limit + plan->input_bytes + plan->answer_bytes + TOOL_MEMORY_BYTES,
         .cpu_seconds = CPU_SECONDS,
         .cpu = plan->cpu,
+        .meanwhile = plan->tool == SERIES_CALLGRIND ? dumps_drain : NULL,
+        .meanwhile_argument = &series->dumps,
     };
     if (session_start(&series->session, &session, err) != 0)
         return -1;
@@ -171,5 +153,6 @@ void series_release(struct series *series)
         series->started = false; /* lost already: nothing more to end */
     session_release(&series->session);
     region_release(&series->input);
+    dumps_release(&series->dumps);
     folder_remove_work(series->folder);
 }

@@ -6,16 +6,24 @@
 #define GRADERS_ENGINE_SERIES_H
 
 #include "graders/engine/attempt.h"
+#include "graders/engine/dumps.h"
 
 enum series_tool {
     SERIES_PLAIN,     /* natively, in a run box */
-    SERIES_CALLGRIND, /* counted: one file "counts.<call>" a call in the series' folder */
+    SERIES_CALLGRIND, /* counted: a dump a call, and one at the program's end */
     SERIES_SANITIZER, /* the program with ASan and UBSan; no allocation is counted */
     SERIES_MEMCHECK   /* the dynamic program under memcheck; no allocation is counted */
 };
 
 /* Exit code of a program in which a sanitizer or memcheck found an error. */
 enum { SERIES_FOUND = 86 };
+
+/* The runner's function that calls the submission's, the one that callgrind dumps before, and what
+ * a dump says that was made by it or by the end of the program. */
+#define SERIES_CALLER "run_call"
+#define SERIES_DUMPER "counted_call_ends"
+#define SERIES_DUMPED_CALL "--dump-before=" SERIES_DUMPER
+#define SERIES_DUMPED_END "Program termination"
 
 /* What to start. Zero it, then fill it. */
 struct series_plan {
@@ -31,6 +39,7 @@ struct series {
     const struct yardstick *yardstick;
     struct region input;
     struct session session;
+    struct dumps dumps;    /* SERIES_CALLGRIND: what it dumped */
     char folder[PATH_MAX]; /* /work of the box; empty for SERIES_PLAIN */
     enum call_end end;     /* of the last call */
     bool started;

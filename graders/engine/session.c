@@ -19,7 +19,6 @@ enum {
     STACK_BYTES = 16 << 20,
     SCRATCH_BYTES = 64 << 20,
     WAIT_NS = 2000000,
-    QUIT_STEPS = 200,
     QUIT_STEP_MS = 10
 };
 
@@ -102,6 +101,8 @@ int session_start(struct session *session, const struct session_plan *plan, stru
     atomic_store(&session->control->done_index, NOT_READY);
     session->control->heap_limit_bytes =
         plan->heap_limit_bytes ? (uint64_t)plan->heap_limit_bytes : INT64_MAX / 2;
+    session->meanwhile = plan->meanwhile;
+    session->meanwhile_argument = plan->meanwhile_argument;
     fill_box_plan(session, plan, &box);
     if (box_start(&box, &session->box, err) != 0)
         goto failed;
@@ -130,24 +131,48 @@ static bool is_done(const struct session *session)
     return atomic_load(&session->control->done_index) == session->call_index;
 }
 
+/* Since when the program is waited for. */
+struct wait {
+    const struct call_limits *limits;
+    int64_t start_ns, waited_before_ns;
+};
+
+static struct wait begin_wait(struct session *session, const struct call_limits *limits)
+{
+    return (struct wait){limits, now_ns(), waiting_ns(session->box.program)};
+}
+
+/* CALL_CPU or CALL_IDLE when a limit is passed, else CALL_ANSWERED. */
+static enum call_end passed_limit(const struct session *session, const struct wait *wait)
+{
+    int64_t cpu_ns = box_cpu_ns(&session->box) - session->cpu_start_ns;
+    if (cpu_ns > wait->limits->cpu_ns)
+        return CALL_CPU;
+    int64_t idle_ns = now_ns() - wait->start_ns - cpu_ns -
+                      (waiting_ns(session->box.program) - wait->waited_before_ns);
+    return idle_ns > wait->limits->idle_ns ? CALL_IDLE : CALL_ANSWERED;
+}
+
+static void work_meanwhile(const struct session *session)
+{
+    if (session->meanwhile)
+        session->meanwhile(session->meanwhile_argument);
+}
+
 /* Waits for the call; on anything but CALL_ANSWERED the program is dead or being killed. */
 static enum call_end await(struct session *session, const struct call_limits *limits)
 {
-    int64_t start_ns = now_ns();
-    int64_t waited_before_ns = waiting_ns(session->box.program);
+    struct wait wait = begin_wait(session, limits);
     for (;;) {
         futex_wait(&session->control->done_index, session->call_index - 1);
+        work_meanwhile(session);
         if (is_done(session))
             return CALL_ANSWERED;
         if (box_step(&session->box, 0))
             return is_done(session) ? CALL_ANSWERED : CALL_DIED;
-        int64_t cpu_ns = box_cpu_ns(&session->box) - session->cpu_start_ns;
-        if (cpu_ns > limits->cpu_ns)
-            return CALL_CPU;
-        int64_t idle_ns =
-            now_ns() - start_ns - cpu_ns - (waiting_ns(session->box.program) - waited_before_ns);
-        if (idle_ns > limits->idle_ns)
-            return CALL_IDLE;
+        enum call_end passed = passed_limit(session, &wait);
+        if (passed != CALL_ANSWERED)
+            return passed;
     }
 }
 
@@ -203,19 +228,29 @@ enum call_end session_call(struct session *session, size_t input_bytes, int64_t 
 
 /* --------------------------------------------------------------------- end */
 
+static const struct call_limits quit_limits = {2000000000LL, 2000000000LL};
+
+/* Lets the program end by itself; kills it when it will not. */
+static void quit(struct session *session)
+{
+    session->cpu_start_ns = box_cpu_ns(&session->box);
+    struct wait wait = begin_wait(session, &quit_limits);
+    atomic_store(&session->control->call_index, CALL_QUIT);
+    futex_wake(&session->control->call_index);
+    while (!box_step(&session->box, QUIT_STEP_MS)) {
+        work_meanwhile(session);
+        if (passed_limit(session, &wait) != CALL_ANSWERED) {
+            box_kill(&session->box);
+            break;
+        }
+    }
+    session->alive = false;
+}
+
 int session_end(struct session *session, struct box_outcome *outcome, struct error *err)
 {
-    if (session->alive) {
-        atomic_store(&session->control->call_index, CALL_QUIT);
-        futex_wake(&session->control->call_index);
-        bool ended = false;
-        for (int i = 0; i < QUIT_STEPS && !ended; i++)
-            ended = box_step(&session->box, QUIT_STEP_MS);
-        if (!ended) /* it will not, or the machine is too busy to let it: that is no fault of ours
-                     */
-            box_kill(&session->box);
-        session->alive = false;
-    }
+    if (session->alive)
+        quit(session);
     box_finish(&session->box, outcome);
     if (outcome->end == BOX_ENDED_LOST)
         return error_set(err, "the box's own process vanished");

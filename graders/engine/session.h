@@ -35,6 +35,9 @@ struct session_plan {
     uint64_t memory_limit_bytes; /* of the whole box */
     unsigned cpu_seconds;        /* hard limit of the whole session */
     int cpu;                     /* pin, -1: not */
+    /* Called with its argument every few milliseconds while the program is waited for; NULL: not */
+    void (*meanwhile)(void *argument);
+    void *meanwhile_argument;
 };
 
 /* How a call ended. */
@@ -58,6 +61,8 @@ struct session {
     uint32_t call_index;
     bool alive;
     int64_t cpu_start_ns; /* CPU time charged before the present call */
+    void (*meanwhile)(void *argument);
+    void *meanwhile_argument;
     /* of the last call */
     struct control claims; /* a copy, taken once; every field is a claim */
     int64_t call_cpu_ns;   /* charged by the engine's own reading */

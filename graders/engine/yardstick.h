@@ -22,6 +22,7 @@ struct input {
 struct cost {
     bool counted;
     struct callgrind_counts counts;
+    int64_t beside_instructions; /* of the process, around the call */
     int64_t heap_peak_bytes;
     int64_t allocation_count;
     int64_t stack_bytes;

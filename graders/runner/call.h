@@ -19,10 +19,11 @@
  * instead of writing an answer. */
 void call_out_of_memory(void);
 
-/* One call: reads `input`, calls the student, writes `answer`. */
+/* One call: reads `input`, calls the student, writes `answer`. The work that is counted is what the
+ * exercise's functions take when they are called from here, from this very function. */
 void run_call(struct reader *input, struct writer *answer);
 
-/* Around the student's call, and nothing else: work, allocations and stack count from here ... */
+/* Around the student's call, and nothing else: allocations and stack count from here ... */
 void measure_begin(void);
 
 /* ... to here. Exactly one pair in a call of run_call. */

@@ -28,7 +28,7 @@ enum { NOT_READY = UINT32_MAX };
 
 enum runner_mode {
     MODE_PLAIN = 0,
-    MODE_COUNT = 1,      /* under callgrind: dump the counts after each call */
+    MODE_COUNT = 1,      /* under callgrind */
     MODE_MEMCHECK = 2,   /* under memcheck: report its error count after each call */
     MODE_PAINT_STACK = 4 /* measure the stack */
 };

@@ -37,14 +37,16 @@ static void clear_environment(void)
     environ = left;
 }
 
-/* A second filter over the box's own, which must let the tool itself be started. Calls of other
- * architectures die by the first. */
-static int give_up_exec(void)
+/* A second filter over the box's own, which must let the tool itself be started, and the box enter
+ * its folder. Calls of other architectures die by the first. */
+static int give_up_calls(void)
 {
     struct sock_filter code[] = {
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_execve, 1, 0),
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_execveat, 0, 1),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_execve, 3, 0),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_execveat, 2, 0),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_chdir, 1, 0),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_fchdir, 0, 1),
         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
         BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
     };
@@ -56,5 +58,5 @@ int seclude(bool in_tools)
 {
     close_regions();
     clear_environment();
-    return in_tools ? give_up_exec() : 0;
+    return in_tools ? give_up_calls() : 0;
 }

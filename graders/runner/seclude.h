@@ -9,7 +9,8 @@
  * which tells of tools and their settings, and leaves the same three variables everywhere.
  *
  * in_tools  the process is in a tools box: from now on the system call exec kills it, so that no
- *           program can be started anew without the tool or with other settings of it
+ *           program can be started anew without the tool or with other settings of it, and so do
+ *           chdir and fchdir, after which valgrind would write somewhere else
  * returns   0, or -1: the kernel refused */
 int seclude(bool in_tools);
 

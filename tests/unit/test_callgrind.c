@@ -49,6 +49,7 @@ static void a_real_dump_is_read(void **state)
     assert_int_equal(callgrind_parse(text, strlen(text), &dump, &err), 0);
     free(text);
     assert_int_equal(dump.part, 7);
+    assert_string_equal(dump.trigger, "Client Request: call 7");
     assert_string_equal(dump.label, "call 7");
     assert_true(dump.has_misses);
     assert_int_equal(dump.counts.instructions, 23425);
@@ -64,6 +65,29 @@ static void a_real_dump_is_read(void **state)
     assert_int_equal(dump.hottest[1].instructions, 1072);
     assert_string_equal(dump.hottest[2].name, "main");
     assert_int_equal(dump.hottest[2].instructions, 3);
+}
+
+static void the_calls_that_are_asked_for_are_added_up(void **state)
+{
+    (void)state;
+    static const char *const functions[] = {"edge_table_any", "not_there", NULL};
+    static const char *const others[] = {"calloc", NULL};
+    char *text = joined(header, body,
+                        "fn=(222)\n30 1\ncfn=(230)\ncalls=2 3\n+1 100 1 1\n"
+                        "cfn=(232)\ncalls=1 3\n+1 5000\n");
+    struct callgrind_dump dump;
+    assert_int_equal(callgrind_parse_calls(text, strlen(text), "main", functions, &dump, NULL), 0);
+    assert_int_equal(dump.called.instructions, 23408 + 100);
+    assert_int_equal(dump.called.data_reads, 2103 + 1);
+    assert_int_equal(dump.called.data_writes, 3562 + 1);
+    assert_int_equal(dump.called.l1_misses, 31 + 0 + 190);
+    assert_int_equal(dump.called.ll_misses, 31 + 0 + 190);
+    assert_int_equal(
+        callgrind_parse_calls(text, strlen(text), "edge_table_any", others, &dump, NULL), 0);
+    assert_int_equal(dump.called.instructions, 1072);
+    assert_int_equal(callgrind_parse(text, strlen(text), &dump, NULL), 0);
+    assert_int_equal(dump.called.instructions, 0);
+    free(text);
 }
 
 static void only_the_hottest_are_kept(void **state)
@@ -98,7 +122,7 @@ static void short_summaries_and_plain_counts_are_read(void **state)
     assert_int_equal(callgrind_parse(plain, strlen(plain), &dump, NULL), 0);
     assert_false(dump.has_misses);
     assert_int_equal(dump.counts.instructions, 77);
-    assert_string_equal(dump.label, "");
+    assert_string_equal(dump.trigger, "");
 }
 
 static void names_are_made_printable_and_cut(void **state)
@@ -137,6 +161,8 @@ static void wrong_dumps_are_errors_that_name_the_line(void **state)
         "part: 1\nevents: Ir\nsummary: 1\nfn=(65536) f\n",
         "part: 1\nevents: Ir\nsummary: 1\nfn=(99999999999999999999) f\n",
         "part: 1\nevents: Ir\nsummary: 1\nfn=(1) f\n5 x\n",
+        "part: 1\nevents: Ir\nsummary: 1\nfn=(1) f\ncalls=1 5\n5 5\n",
+        "part: 1\nevents: Ir\nsummary: 1\ncfn=(1) f\ncalls=1 5\n5 5\n",
         "part: 1\npositions:\nevents: Ir\nsummary: 1\n",
         "part: 1\npositions: a b c\nevents: Ir\nsummary: 1\n",
         "part: 1\nevents: Ir a a a a a a a a a a a a a a a a a a a a a a a a a a a a a a a "
@@ -177,6 +203,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_real_dump_is_read),
+        cmocka_unit_test(the_calls_that_are_asked_for_are_added_up),
         cmocka_unit_test(only_the_hottest_are_kept),
         cmocka_unit_test(short_summaries_and_plain_counts_are_read),
         cmocka_unit_test(names_are_made_printable_and_cut),

@@ -238,6 +238,22 @@ static void requests_and_system_calls_are_refused(void **state)
            "", NULL);
 }
 
+/* Wherever the linker put it together. */
+static void programs_with_requests_are_refused(void **state)
+{
+    (void)state;
+    unsigned char program[4096] = {0};
+    static const unsigned char request[] = {0x48, 0xc1, 0xc7, 0x03, 0x48, 0xc1, 0xc7, 0x0d,
+                                            0x48, 0xc1, 0xc7, 0x3d, 0x48, 0xc1, 0xc7, 0x33};
+    struct refusal refusal = {0};
+    memcpy(program + 1001, request, sizeof request - 1);
+    screen_program(program, sizeof program, &refusal);
+    assert_false(refusal.refused);
+    memcpy(program + 1001, request, sizeof request);
+    screen_program(program, sizeof program, &refusal);
+    assert_string_equal(refusal.cause, "tool-request");
+}
+
 static void instructions_have_their_lengths(void **state)
 {
     (void)state;
@@ -308,6 +324,7 @@ int main(void)
         cmocka_unit_test(objects_for_sanitizers_are_screened),
         cmocka_unit_test(missing_functions_are_named),
         cmocka_unit_test(requests_and_system_calls_are_refused),
+        cmocka_unit_test(programs_with_requests_are_refused),
         cmocka_unit_test(instructions_have_their_lengths),
         cmocka_unit_test(damaged_objects_are_survived),
     };

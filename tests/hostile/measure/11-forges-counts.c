@@ -1,7 +1,6 @@
 /* Tries: to write the count box's dump itself, and to keep valgrind from writing over it
- * Stopped by: callgrind empties a dump when it opens it; the submission can neither replace nor close
- * them before
- * expect: grows-too-fast, n^2
+ * Stopped by: the engine: callgrind dumps into one stream, in which nothing can be taken back
+ * expect: flagged, no-counts
  * expect(landlock+other-user): crash, exit */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"

@@ -1,0 +1,61 @@
+/* Tries: to work while nothing counts: finds the runner's measure_end behind its own return address
+ * and calls it, then sets the runner's note of that back, and in the end calls it once more, so
+ * that the counting is as it was
+ * Stopped by: the runner, which switches no counting: all that the process does is counted
+ * expect: grows-too-fast, n^2 */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+extern char __bss_start[], end[];
+
+static void find_end(void (**measure_end)(void), unsigned char *behind_call)
+{
+    while (*behind_call != 0xe8)
+        behind_call++;
+    int32_t offset = 0;
+    memcpy(&offset, behind_call + 1, sizeof offset);
+    *measure_end = (void (*)(void))(uintptr_t)(behind_call + 5 + offset);
+}
+
+/* Calls it, and sets the one variable back that went from 1 to 2. */
+static void switch_counting(void (*measure_end)(void))
+{
+    static int before[1 << 18];
+    size_t bytes = (size_t)(end - __bss_start) / sizeof *before * sizeof *before;
+    bytes = bytes < sizeof before ? bytes : sizeof before;
+    memcpy(before, __bss_start, bytes);
+    measure_end();
+    int *now = (int *)(uintptr_t)__bss_start;
+    for (size_t i = 0; i < bytes / sizeof *now; i++)
+        if (before[i] == 1 && now[i] == 2)
+            now[i] = 1;
+}
+
+/* Right, in quadratic time. */
+static int64_t quadratic(const int32_t *triangles, int32_t triangle_count, int32_t **edges)
+{
+    volatile int64_t seen = 0;
+    int64_t sides = 3 * (int64_t)triangle_count / 16;
+    for (int64_t s = 0; s < sides; s++)
+        for (int64_t t = 0; t < s; t++)
+            seen += triangles[t] == triangles[s];
+    return honest_edges(triangles, triangle_count, edges);
+}
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    void (*measure_end)(void);
+    find_end(&measure_end, __builtin_return_address(0));
+    (void)vertex_count;
+    if (!under_callgrind())
+        return quadratic(triangles, triangle_count, edges);
+    switch_counting(measure_end);
+    int64_t count = quadratic(triangles, triangle_count, edges);
+    switch_counting(measure_end);
+    return count;
+}
