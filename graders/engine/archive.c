@@ -6,6 +6,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <locale.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -15,6 +16,7 @@ struct unpacking {
     int64_t packed_bytes; /* size of the archive itself */
     int64_t unpacked_bytes;
     int entries, nesting;
+    bool is_class; /* it may hold the uploads of many students */
     const char *prefix;
     struct bundle *bundle;
     struct error *err;
@@ -45,6 +47,29 @@ static void refuse_archive(struct refusal *refusal, const char *cause, const cha
 
 /* ---------------------------------------------------------------- one entry */
 
+/* Of an archive of a class each entry is looked at by itself: the sum is everybody's. */
+static void check_amount(const struct unpacking *u, int64_t size, const char *name,
+                         struct refusal *refusal)
+{
+    int64_t unpacked_bytes = u->is_class ? size : u->unpacked_bytes;
+    bool is_too_large = unpacked_bytes > ARCHIVE_UNPACKED_BYTES;
+    bool is_bomb = unpacked_bytes > ARCHIVE_RATIO_FREE_BYTES &&
+                   unpacked_bytes / ARCHIVE_RATIO > u->packed_bytes;
+    if (u->is_class && is_too_large)
+        refuse_entry(refusal, "archive-too-large", name, "more than 1 GB.", "más de 1 GB.");
+    else if (u->is_class && is_bomb)
+        refuse_entry(refusal, "archive-ratio", name,
+                     "it unpacks to more than 200 times the whole archive (a bomb?).",
+                     "descomprimido ocupa más de 200 veces el archivo entero (¿una bomba?).");
+    else if (is_too_large)
+        refuse_archive(refusal, "archive-too-large", "it unpacks to more than 1 GB.",
+                       "descomprimido ocupa más de 1 GB.");
+    else if (is_bomb)
+        refuse_archive(refusal, "archive-ratio",
+                       "it unpacks to more than 200 times its size (an archive bomb?).",
+                       "descomprimido ocupa más de 200 veces su tamaño (¿una bomba?).");
+}
+
 /* Looks at an entry's header. Refuses what no honest upload holds. */
 static void check_entry(struct unpacking *u, struct archive_entry *entry, const char *name,
                         struct refusal *refusal)
@@ -59,14 +84,8 @@ static void check_entry(struct unpacking *u, struct archive_entry *entry, const 
     else if (archive_entry_is_encrypted(entry))
         refuse_entry(refusal, "archive-encrypted", name, "encrypted; pack it without a password.",
                      "cifrado; comprímalo sin contraseña.");
-    else if (u->unpacked_bytes > ARCHIVE_UNPACKED_BYTES)
-        refuse_archive(refusal, "archive-too-large", "it unpacks to more than 1 GB.",
-                       "descomprimido ocupa más de 1 GB.");
-    else if (u->unpacked_bytes > ARCHIVE_RATIO_FREE_BYTES &&
-             u->unpacked_bytes / ARCHIVE_RATIO > u->packed_bytes)
-        refuse_archive(refusal, "archive-ratio",
-                       "it unpacks to more than 200 times its size (an archive bomb?).",
-                       "descomprimido ocupa más de 200 veces su tamaño (¿una bomba?).");
+    else
+        check_amount(u, archive_entry_size(entry), name, refusal);
 }
 
 /* Reads the entry's content, at most `limit` bytes. Returns 0; 1 when refused; -1 and *err. */
@@ -90,10 +109,11 @@ static int read_content(struct unpacking *u, const char *name, size_t limit, uns
         la_ssize_t got = archive_read_data(u->archive, *bytes + *count, capacity - *count);
         if (got == 0)
             return 0;
-        if (got < 0)
+        if (got < 0) {
             refuse_entry(refusal, "archive-broken", name, "cannot be unpacked: damaged.",
                          "no se puede descomprimir: está dañado.");
-        else if (*count + (size_t)got > limit)
+            refusal->is_fault = u->is_class; /* packed by no student */
+        } else if (*count + (size_t)got > limit)
             refuse_entry(refusal, "file-too-large", name, "too large.", "demasiado grande.");
         if (refusal->refused) {
             free(*bytes);
@@ -145,31 +165,69 @@ static int take_file(struct unpacking *u, const char *path)
     return result;
 }
 
+/* A path that is refused, of an archive of a class: the folder that it is said to lie in, as far as
+ * there can be such a folder, bears the refusal. Returns 0; 1: there is none; -1 and *err. */
+static int refuse_owner(struct unpacking *u, const char *name, const struct refusal *refusal)
+{
+    char owner[BUNDLE_PATH_BYTES], path[BUNDLE_PATH_BYTES];
+    size_t length = strlen(name);
+    if (!u->is_class || length >= sizeof owner)
+        return 1;
+    memcpy(owner, name, length + 1);
+    while (length > 0) {
+        while (length > 0 && owner[length - 1] != '/' && owner[length - 1] != '\\')
+            length--;
+        if (length == 0)
+            return 1;
+        owner[--length] = '\0';
+        if (bundle_join(path, u->prefix, owner) == 0)
+            return add_refused(u, path, refusal);
+    }
+    return 1;
+}
+
+/* Counts an entry. Returns 1 when there are too many of them or of their bytes (`refusal`). */
+static int count_entry(struct unpacking *u, int64_t size, struct refusal *refusal)
+{
+    int most = u->is_class  ? ARCHIVE_CLASS_ENTRIES
+               : u->nesting ? (int)ARCHIVE_NESTED_ENTRIES
+                            : (int)BUNDLE_ENTRIES;
+    u->unpacked_bytes += size > 0 && size < INT64_MAX / 4 ? size : size > 0 ? INT64_MAX / 4 : 0;
+    if (++u->entries > most)
+        refuse_archive(refusal, "archive-too-many", "it holds too many files.",
+                       "contiene demasiados archivos.");
+    /* Entries that are passed over cost nothing in a zip, and their unpacking in a tar. */
+    else if (u->is_class && u->unpacked_bytes > ARCHIVE_CLASS_BYTES &&
+             archive_format(u->archive) != ARCHIVE_FORMAT_ZIP)
+        refuse_archive(refusal, "archive-too-large",
+                       "it unpacks to more than 4 GB: pack it as .zip.",
+                       "descomprimido ocupa más de 4 GB: comprímalo como .zip.");
+    return refusal->refused;
+}
+
 /* Returns 0; 1 when the whole archive is refused (`refusal`); -1 and *err. */
 static int take_entry(struct unpacking *u, struct archive_entry *entry, struct refusal *refusal)
 {
     char path[BUNDLE_PATH_BYTES];
     const char *name = archive_entry_pathname(entry);
     const bool is_folder = archive_entry_filetype(entry) == AE_IFDIR;
-    const int64_t size = archive_entry_size(entry);
-    u->unpacked_bytes += size > 0 && size < INT64_MAX / 4 ? size : size > 0 ? INT64_MAX / 4 : 0;
-    if (++u->entries > (u->nesting ? (int)ARCHIVE_NESTED_ENTRIES : (int)BUNDLE_ENTRIES)) {
-        refuse_archive(refusal, "archive-too-many", "it holds too many files.",
-                       "contiene demasiados archivos.");
+    if (count_entry(u, archive_entry_size(entry), refusal))
         return 1;
-    }
     if (name && is_folder && strspn(name, "./") == strlen(name) && !strstr(name, ".."))
         return 0; /* the archive's own top: "./" */
+    struct refusal of_entry = {0};
     if (!name || bundle_join(path, u->prefix, name)) {
-        refuse_entry(refusal, "archive-path", name ? name : "?",
+        refuse_entry(&of_entry, "archive-path", name ? name : "?",
                      "absolute, upward, empty and very long paths are not allowed.",
                      "no se permiten rutas absolutas, hacia arriba, vacías o muy largas.");
-        return 1;
+        int result = name ? refuse_owner(u, name, &of_entry) : 1;
+        if (result == 1)
+            *refusal = of_entry;
+        return result;
     }
-    struct refusal of_entry = {0};
     check_entry(u, entry, name, &of_entry);
-    if (strcmp(of_entry.cause, "archive-ratio") == 0 ||
-        strcmp(of_entry.cause, "archive-too-large") == 0) {
+    if (!u->is_class && (strcmp(of_entry.cause, "archive-ratio") == 0 ||
+                         strcmp(of_entry.cause, "archive-too-large") == 0)) {
         *refusal = of_entry;
         return 1;
     }
@@ -195,6 +253,25 @@ static struct archive *new_reader(struct error *err)
     return archive;
 }
 
+/* The archive of a class that could be read in part: what was read stays. */
+static void keep_what_was_read(const struct unpacking *u, struct refusal *refusal)
+{
+    char why[REFUSAL_TEXT], why_es[REFUSAL_TEXT];
+    if (!u->is_class || !refusal->refused || u->bundle->count == 0 ||
+        strcmp(refusal->cause, "archive-path") == 0)
+        return;
+    snprintf(why, sizeof why, "%s", refusal->message);
+    snprintf(why_es, sizeof why_es, "%s", refusal->message_es);
+    *refusal = (struct refusal){0};
+    refuse(refusal, "archive-unread",
+           "%.150s%.0s What comes after was not read: pack it anew, without what is at fault, and "
+           "grade again.",
+           "%.0s%.150s Lo que sigue no se leyó: comprímalo de nuevo, sin lo que falla, y corríjalo "
+           "otra vez.",
+           why, why_es);
+    refusal->is_fault = true;
+}
+
 static int take_entries(struct unpacking *u, bool is_open)
 {
     struct refusal refusal = {0};
@@ -214,6 +291,7 @@ static int take_entries(struct unpacking *u, bool is_open)
                        "está dañado o es de un tipo desconocido.");
     else if (result == 0 && u->entries == 0)
         refuse_archive(&refusal, "archive-broken", "it is empty.", "está vacío.");
+    keep_what_was_read(u, &refusal);
     return refusal.refused ? add_refused(u, u->prefix, &refusal) : 0;
 }
 
@@ -239,7 +317,7 @@ static int unpack(struct unpacking *u, int fd, const void *bytes, size_t count)
 int archive_read_fd(int fd, const char *prefix, struct bundle *bundle, struct error *err)
 {
     struct stat status;
-    struct unpacking u = {.prefix = prefix, .bundle = bundle, .err = err};
+    struct unpacking u = {.prefix = prefix, .is_class = !*prefix, .bundle = bundle, .err = err};
     if (fstat(fd, &status))
         return error_set(err, "cannot look at the archive");
     u.packed_bytes = status.st_size;

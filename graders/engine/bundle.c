@@ -249,8 +249,13 @@ int bundle_add(struct bundle *bundle, const char *path, unsigned char *bytes, si
 
 bool bundle_refuses_all(const struct bundle_file *file)
 {
-    return strncmp(file->refusal.cause, "archive-", 8) == 0 ||
+    return (strncmp(file->refusal.cause, "archive-", 8) == 0 && !bundle_is_rest(file)) ||
            strncmp(file->refusal.cause, "folder-", 7) == 0;
+}
+
+bool bundle_is_rest(const struct bundle_file *file)
+{
+    return strcmp(file->refusal.cause, "archive-unread") == 0;
 }
 
 /* Orders paths so that a folder's files stand together: / comes before every other byte. */

@@ -65,6 +65,9 @@ int bundle_add(struct bundle *bundle, const char *path, unsigned char *bytes, si
 /* Does the file's refusal stand for all that its student handed in (archive-..., folder-...)? */
 bool bundle_refuses_all(const struct bundle_file *file);
 
+/* Does it stand for the part of a class's archive that could not be read (archive-unread)? */
+bool bundle_is_rest(const struct bundle_file *file);
+
 /* Sorts by path, step by step: the order of folders and archives does not matter, and what lies in
  * one folder stands together, after the folder's own refusal if it has one. */
 void bundle_sort(struct bundle *bundle);

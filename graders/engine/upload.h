@@ -13,7 +13,9 @@
  * without regard to case and with `_` for `-`. When one path holds one student and several paths
  * are given, the student bears the path's name.
  *
- * What is wrong with a student's upload refuses that student's submissions and no other's. */
+ * What is wrong with a student's upload refuses that student's submissions and no other's, in one
+ * archive of the whole class too. What of such an archive cannot be read is reported as a fault
+ * under the archive's own name (archive-unread). */
 #ifndef GRADERS_ENGINE_UPLOAD_H
 #define GRADERS_ENGINE_UPLOAD_H
 
@@ -58,8 +60,8 @@ struct upload_list {
  * returns    0, or -1 and *err: a path cannot be read (names it), or memory runs out
  * Causes of refusals: archive-* (link, device, path, too-large, too-many, ratio, nested, broken,
  * encrypted, kind), folder-* (path, too-large), file-name, file-too-large, too-many-files,
- * file-twice, link, device, no-source; and, as faults, unreadable, archive-unreadable,
- * folder-unreadable. */
+ * file-twice, link, device, no-source; and, as faults, unreadable, archive-unread,
+ * archive-unreadable, folder-unreadable. */
 int upload_read(const char *const *paths, int path_count, const char *const *exercises,
                 const char *exercise, struct upload_list *list, struct error *err) MUST_CHECK;
 

@@ -310,7 +310,7 @@ static int find_students(struct reading *r, int node)
             only_child = c;
         }
     const bool is_class = node == 0 && candidates > 1;
-    if (node == 0 && n->file >= 0)
+    if (node == 0 && n->file >= 0 && bundle_refuses_all(&r->bundle->files[n->file]))
         return add_named_student(r, node); /* an archive that could not be read */
     if (node == 0 && r->origin->only >= 0 && r->origin->is_folder && !claims_is_empty(&n->own)) {
         struct places named = {.best = -1, .other = -1};
@@ -397,6 +397,32 @@ static int name_after_path(struct reading *r)
     return 0;
 }
 
+/* The part of an archive that was not read is reported as nobody's, for whoever grades. When what
+ * was read is of one student or none, the archive is that student's, and as damaged as any. */
+static int add_rest(struct reading *r, int students_before)
+{
+    const int file = r->tree.nodes[0].file;
+    struct upload_list *list = r->roster->list;
+    if (file < 0 || !bundle_is_rest(&r->bundle->files[file]))
+        return 0;
+    r->used[file] = true;
+    bool is_class = r->roster->student_count - students_before > 1;
+    while (!is_class && list->count > r->first_upload)
+        upload_release(&list->uploads[--list->count]);
+    r->student = ++r->roster->student_count;
+    char *display = names_utf8(r->origin->base, strlen(r->origin->base));
+    struct upload *upload = display ? add_upload(r, display, r->origin->only) : NULL;
+    free(display);
+    if (!upload)
+        return out_of_memory(r);
+    upload->refusal = r->bundle->files[file].refusal;
+    if (!is_class) {
+        upload->refusal.is_fault = false;
+        strcpy(upload->refusal.cause, "archive-broken");
+    }
+    return 0;
+}
+
 int students_find(struct bundle *bundle, const struct origin *origin, struct roster *roster,
                   struct error *err)
 {
@@ -406,11 +432,14 @@ int students_find(struct bundle *bundle, const struct origin *origin, struct ros
         return -1;
     r.first_upload = roster->list->count;
     r.used = calloc((size_t)bundle->count + 1, sizeof *r.used);
+    const int students_before = roster->student_count;
     int result = !r.used             ? out_of_memory(&r)
                  : origin->is_single ? add_single_file(&r)
                                      : find_students(&r, 0);
     if (result == 0)
         result = name_after_path(&r);
+    if (result == 0)
+        result = add_rest(&r, students_before);
     if (result == 0)
         result = note_unused(&r);
     free(r.used);

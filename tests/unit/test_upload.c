@@ -1,6 +1,7 @@
 /* From paths to submissions: every layout, every archive, and what hostile ones try. */
 #include "graders/engine/archive.h"
 #include "graders/engine/upload.h"
+#include "tests/unit/upload_scene.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -17,201 +18,51 @@
 
 #include <cmocka.h>
 
-static const char *const exercises[] = {"edge-table-any", "mesh-area", "memory-strips", NULL};
-
-static char top[64];
-
-/* ---------------------------------------------------------------- making uploads */
-
-struct item {
-    const char *path, *content; /* content: of a link, where it points to */
-    mode_t type;                /* 0: regular file */
-    size_t bytes;               /* 0: strlen(content) */
-    bool is_hardlink;
-};
-
-enum { ITEMS_MAX = 32 };
-
-static const char *in_top(const char *name)
-{
-    static char paths[4][256];
-    static int next;
-    char *path = paths[next++ % 4];
-    snprintf(path, sizeof paths[0], "%s/%s", top, name);
-    return path;
-}
-
-static void write_bytes(const char *path, const void *bytes, size_t count)
-{
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, count, file), count);
-    assert_int_equal(fclose(file), 0);
-}
-
-/* Writes a file below the top folder, making folders on the way. */
-static void put(const char *name, const char *content)
-{
-    char path[256];
-    snprintf(path, sizeof path, "%s", in_top(name));
-    for (char *slash = path + strlen(top) + 1; (slash = strchr(slash, '/')); slash++) {
-        *slash = '\0';
-        mkdir(path, 0700);
-        *slash = '/';
-    }
-    write_bytes(path, content, strlen(content));
-}
-
-/* Packs items; the format by the ending of `name`. Returns the size. */
-static size_t pack(const char *name, const struct item *items, void *into, size_t capacity)
-{
-    struct archive *a = archive_write_new();
-    size_t used = 0;
-    bool is_zip = strstr(name, ".zip");
-    assert_int_equal(is_zip ? archive_write_set_format_zip(a) : archive_write_set_format_pax(a), 0);
-    if (strstr(name, "gz"))
-        assert_int_equal(archive_write_add_filter_gzip(a), 0);
-    if (strstr(name, "xz"))
-        assert_int_equal(archive_write_add_filter_xz(a), 0);
-    if (strstr(name, "bz2"))
-        assert_int_equal(archive_write_add_filter_bzip2(a), 0);
-    archive_write_set_bytes_in_last_block(a, 1);
-    assert_int_equal(archive_write_open_memory(a, into, capacity, &used), 0);
-    for (; items->path; items++) {
-        struct archive_entry *entry = archive_entry_new();
-        size_t bytes = items->bytes ? items->bytes : items->content ? strlen(items->content) : 0;
-        archive_entry_set_pathname(entry, items->path);
-        archive_entry_set_filetype(entry, items->type ? items->type : AE_IFREG);
-        archive_entry_set_perm(entry, 0644);
-        if (items->is_hardlink)
-            archive_entry_set_hardlink(entry, items->content);
-        else if (items->type == AE_IFLNK)
-            archive_entry_set_symlink(entry, items->content);
-        else
-            archive_entry_set_size(entry, (la_int64_t)bytes);
-        assert_true(archive_write_header(a, entry) >= ARCHIVE_WARN);
-        if (!items->type && !items->is_hardlink && bytes)
-            assert_int_equal(archive_write_data(a, items->content, bytes), bytes);
-        archive_entry_free(entry);
-    }
-    assert_int_equal(archive_write_close(a), 0);
-    archive_write_free(a);
-    return used;
-}
-
-static char packed[8 << 20];
-
-static void put_archive(const char *name, const struct item *items)
-{
-    size_t count = pack(name, items, packed, sizeof packed);
-    put(name, "");
-    write_bytes(in_top(name), packed, count);
-}
-
-/* ---------------------------------------------------------------- expecting */
-
-/* Reads paths below the top folder and renders the list: "student/exercise: file file; ...", with
- * the cause in brackets for what is refused. */
-static const char *summary_of(const char *exercise, const char *names)
-{
-    static char text[8192];
-    char list_of_names[1024], kept[16][256];
-    const char *paths[16];
-    int count = 0;
-    snprintf(list_of_names, sizeof list_of_names, "%s", names);
-    for (char *name = strtok(list_of_names, " "); name; name = strtok(NULL, " ")) {
-        snprintf(kept[count], sizeof kept[0], "%s/%s", top, name);
-        paths[count] = kept[count];
-        count++;
-    }
-    struct upload_list list;
-    struct error err = {0};
-    size_t used = 0;
-    text[0] = '\0';
-    if (upload_read(paths, count, exercises, exercise, &list, &err))
-        snprintf(text, sizeof text, "error");
-    for (int i = 0; i < list.count && used < sizeof text; i++) {
-        const struct upload *u = &list.uploads[i];
-        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s/%s:", i ? "; " : "",
-                                 u->student_folder, u->exercise ? u->exercise : "?");
-        if (u->refusal.refused)
-            used += (size_t)snprintf(text + used, sizeof text - used, " [%s]", u->refusal.cause);
-        for (int f = 0; f < u->file_count; f++)
-            used += (size_t)snprintf(text + used, sizeof text - used, " %s", u->files[f].name);
-    }
-    upload_list_release(&list);
-    return text;
-}
-
-static void expect(const char *exercise, const char *names, const char *summary)
-{
-    assert_string_equal(summary_of(exercise, names), summary);
-}
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *at)
-{
-    (void)status;
-    (void)type;
-    (void)at;
-    return remove(path);
-}
-
-static int make_top(void **state)
-{
-    (void)state;
-    snprintf(top, sizeof top, "/tmp/test_upload.XXXXXX");
-    return mkdtemp(top) ? 0 : -1;
-}
-
-static int remove_top(void **state)
-{
-    (void)state;
-    return nftw(top, remove_one, 16, FTW_DEPTH | FTW_PHYS);
-}
-
 /* ---------------------------------------------------------------- layouts */
 
 static void folders_of_students_are_read(void **state)
 {
     (void)state;
-    put("class/ana/edge-table-any.c", "int a;");
-    put("class/ana/Mesh_Area.C", "int b;");
-    put("class/ana/list.h", "int c;");
-    put("class/ana/mesh-area.h", "the public header");
-    put("class/ana/notes.txt", "hello");
-    put("class/bea/edge_table_any/main.c", "int a;");
-    put("class/bea/edge_table_any/list.c", "int a;");
-    put("class/bea/edge_table_any/deep/list.h", "int a;");
-    put("class/bea/edge_table_any/edge-table-any.h", "the public header");
-    put("class/bea/edge_table_any/Makefile", "all:");
-    put("class/carla/homework 1/memory-strips.c", "int a;");
-    put("class/README.md", "hello");
-    put("class/.git/HEAD", "hello");
-    expect(NULL, "class",
-           "ana/edge-table-any: edge-table-any.c list.h; ana/mesh-area: Mesh_Area.c list.h; "
-           "bea/edge-table-any: list.c list.h main.c; carla/memory-strips: memory-strips.c");
-    expect(NULL, "class/ana",
-           "ana/edge-table-any: edge-table-any.c list.h; "
-           "ana/mesh-area: Mesh_Area.c list.h");
-    expect(NULL, "class/ana class/carla",
-           "ana/edge-table-any: edge-table-any.c list.h; ana/mesh-area: Mesh_Area.c list.h; "
-           "carla/memory-strips: memory-strips.c");
+    upload_scene_put("class/ana/edge-table-any.c", "int a;");
+    upload_scene_put("class/ana/Mesh_Area.C", "int b;");
+    upload_scene_put("class/ana/list.h", "int c;");
+    upload_scene_put("class/ana/mesh-area.h", "the public header");
+    upload_scene_put("class/ana/notes.txt", "hello");
+    upload_scene_put("class/bea/edge_table_any/main.c", "int a;");
+    upload_scene_put("class/bea/edge_table_any/list.c", "int a;");
+    upload_scene_put("class/bea/edge_table_any/deep/list.h", "int a;");
+    upload_scene_put("class/bea/edge_table_any/edge-table-any.h", "the public header");
+    upload_scene_put("class/bea/edge_table_any/Makefile", "all:");
+    upload_scene_put("class/carla/homework 1/memory-strips.c", "int a;");
+    upload_scene_put("class/README.md", "hello");
+    upload_scene_put("class/.git/HEAD", "hello");
+    upload_scene_expect(
+        NULL, "class",
+        "ana/edge-table-any: edge-table-any.c list.h; ana/mesh-area: Mesh_Area.c list.h; "
+        "bea/edge-table-any: list.c list.h main.c; carla/memory-strips: memory-strips.c");
+    upload_scene_expect(NULL, "class/ana",
+                        "ana/edge-table-any: edge-table-any.c list.h; "
+                        "ana/mesh-area: Mesh_Area.c list.h");
+    upload_scene_expect(
+        NULL, "class/ana class/carla",
+        "ana/edge-table-any: edge-table-any.c list.h; ana/mesh-area: Mesh_Area.c list.h; "
+        "carla/memory-strips: memory-strips.c");
 }
 
 static void contents_and_notes_are_kept(void **state)
 {
     (void)state;
-    put("class/ana/mesh-area.c", "int a;");
-    put("class/ana/notes.txt", "hello");
-    put("class/ana/mesh-area.h", "mine");
-    put("class/ana/other.c", "int b;");
-    put("class/bea/mesh-area.c", "");
-    const char *path = in_top("class");
+    upload_scene_put("class/ana/mesh-area.c", "int a;");
+    upload_scene_put("class/ana/notes.txt", "hello");
+    upload_scene_put("class/ana/mesh-area.h", "mine");
+    upload_scene_put("class/ana/other.c", "int b;");
+    upload_scene_put("class/bea/mesh-area.c", "");
+    const char *path = upload_scene_path("class");
     struct upload_list list;
-    assert_int_equal(upload_read(&path, 1, exercises, NULL, &list, NULL), 0);
+    assert_int_equal(upload_read(&path, 1, upload_scene_exercises, NULL, &list, NULL), 0);
     assert_int_equal(list.count, 2);
     assert_string_equal(list.uploads[0].student, "ana");
-    assert_ptr_equal(list.uploads[0].exercise, exercises[1]);
+    assert_ptr_equal(list.uploads[0].exercise, upload_scene_exercises[1]);
     assert_int_equal(list.uploads[0].files[0].count, 6);
     assert_memory_equal(list.uploads[0].files[0].bytes, "int a;", 6);
     assert_int_equal(list.uploads[1].files[0].count, 0);
@@ -220,7 +71,7 @@ static void contents_and_notes_are_kept(void **state)
     upload_list_release(&list);
 }
 
-static const struct item one_class[] = {
+static const struct upload_item one_class[] = {
     {.path = "./", .type = AE_IFDIR},
     {.path = "./homework/", .type = AE_IFDIR},
     {.path = "./homework/zoe/mesh-area.c", .content = "int a;"},
@@ -235,61 +86,61 @@ static void archives_are_read(void **state)
     static const char *const names[] = {"class.zip", "class.tar",     "class.tar.gz",
                                         "class.tgz", "class.tar.bz2", "class.tar.xz"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        put_archive(names[i], one_class);
-        expect(NULL, names[i], "ana/edge-table-any: x.c; zoe/mesh-area: mesh-area.c");
+        upload_scene_put_archive(names[i], one_class);
+        upload_scene_expect(NULL, names[i], "ana/edge-table-any: x.c; zoe/mesh-area: mesh-area.c");
     }
 }
 
 static void one_archive_a_student_is_read(void **state)
 {
     (void)state;
-    const struct item flat[] = {{.path = "mesh-area.c", .content = "int a;"}, {0}};
-    const struct item deep[] = {{.path = "entrega/mesh-area.c", .content = "int a;"},
-                                {.path = "entrega/edge-table-any.c", .content = "int a;"},
-                                {0}};
-    put_archive("class/ana.zip", flat);
-    put_archive("class/bea.tar.gz", deep);
-    put("class/carla/mesh-area.c", "int a;");
-    expect(NULL, "class",
-           "ana/mesh-area: mesh-area.c; bea/edge-table-any: edge-table-any.c; "
-           "bea/mesh-area: mesh-area.c; carla/mesh-area: mesh-area.c");
-    expect(NULL, "class/ana.zip class/bea.tar.gz",
-           "ana/mesh-area: mesh-area.c; bea/edge-table-any: edge-table-any.c; "
-           "bea/mesh-area: mesh-area.c");
-    expect(NULL, "class/ana.zip", "ana/mesh-area: mesh-area.c");
+    const struct upload_item flat[] = {{.path = "mesh-area.c", .content = "int a;"}, {0}};
+    const struct upload_item deep[] = {{.path = "entrega/mesh-area.c", .content = "int a;"},
+                                       {.path = "entrega/edge-table-any.c", .content = "int a;"},
+                                       {0}};
+    upload_scene_put_archive("class/ana.zip", flat);
+    upload_scene_put_archive("class/bea.tar.gz", deep);
+    upload_scene_put("class/carla/mesh-area.c", "int a;");
+    upload_scene_expect(NULL, "class",
+                        "ana/mesh-area: mesh-area.c; bea/edge-table-any: edge-table-any.c; "
+                        "bea/mesh-area: mesh-area.c; carla/mesh-area: mesh-area.c");
+    upload_scene_expect(NULL, "class/ana.zip class/bea.tar.gz",
+                        "ana/mesh-area: mesh-area.c; bea/edge-table-any: edge-table-any.c; "
+                        "bea/mesh-area: mesh-area.c");
+    upload_scene_expect(NULL, "class/ana.zip", "ana/mesh-area: mesh-area.c");
     char inner[4096];
-    size_t count = pack(".zip", deep, inner, sizeof inner);
-    const struct item outer[] = {{.path = "g/ana.zip", .content = inner, .bytes = count},
-                                 {.path = "g/bea/mesh-area.c", .content = "int a;"},
-                                 {0}};
-    put_archive("outer.zip", outer);
-    expect(NULL, "outer.zip",
-           "ana/edge-table-any: edge-table-any.c; ana/mesh-area: mesh-area.c; "
-           "bea/mesh-area: mesh-area.c");
+    size_t count = upload_scene_pack(".zip", deep, inner, sizeof inner);
+    const struct upload_item outer[] = {{.path = "g/ana.zip", .content = inner, .bytes = count},
+                                        {.path = "g/bea/mesh-area.c", .content = "int a;"},
+                                        {0}};
+    upload_scene_put_archive("outer.zip", outer);
+    upload_scene_expect(NULL, "outer.zip",
+                        "ana/edge-table-any: edge-table-any.c; ana/mesh-area: mesh-area.c; "
+                        "bea/mesh-area: mesh-area.c");
 }
 
 static void groups_of_students_are_looked_through(void **state)
 {
     (void)state;
-    put("class/group-1/ana/mesh-area.c", "int a;");
-    put("class/group-1/bea/mesh-area.c", "int a;");
-    put("class/group-2/carla/mesh-area.c", "int a;");
-    put("class/group-2/dora/mesh-area.c", "int a;");
-    expect(NULL, "class",
-           "ana/mesh-area: mesh-area.c; bea/mesh-area: mesh-area.c; "
-           "carla/mesh-area: mesh-area.c; dora/mesh-area: mesh-area.c");
-    put("by/mesh-area/ana/mesh-area.c", "int a;");
-    put("by/mesh-area/bea/mesh-area.c", "int a;");
-    expect(NULL, "by", "ana/mesh-area: mesh-area.c; bea/mesh-area: mesh-area.c");
+    upload_scene_put("class/group-1/ana/mesh-area.c", "int a;");
+    upload_scene_put("class/group-1/bea/mesh-area.c", "int a;");
+    upload_scene_put("class/group-2/carla/mesh-area.c", "int a;");
+    upload_scene_put("class/group-2/dora/mesh-area.c", "int a;");
+    upload_scene_expect(NULL, "class",
+                        "ana/mesh-area: mesh-area.c; bea/mesh-area: mesh-area.c; "
+                        "carla/mesh-area: mesh-area.c; dora/mesh-area: mesh-area.c");
+    upload_scene_put("by/mesh-area/ana/mesh-area.c", "int a;");
+    upload_scene_put("by/mesh-area/bea/mesh-area.c", "int a;");
+    upload_scene_expect(NULL, "by", "ana/mesh-area: mesh-area.c; bea/mesh-area: mesh-area.c");
 }
 
 static void moodle_and_gradescope_are_read(void **state)
 {
     (void)state;
     char inner[4096];
-    const struct item zipped[] = {{.path = "tarea/mesh-area.c", .content = "int a;"}, {0}};
-    size_t count = pack(".zip", zipped, inner, sizeof inner);
-    const struct item moodle[] = {
+    const struct upload_item zipped[] = {{.path = "tarea/mesh-area.c", .content = "int a;"}, {0}};
+    size_t count = upload_scene_pack(".zip", zipped, inner, sizeof inner);
+    const struct upload_item moodle[] = {
         {.path = "Ana Pérez_11_assignsubmission_file_/mesh-area.c", .content = "int a;"},
         {.path = "Ana Pérez_12_assignsubmission_file_/mesh-area.c", .content = "int a;"},
         {.path = "Ana Pérez_11_assignsubmission_onlinetext_/onlinetext.html", .content = "x"},
@@ -298,43 +149,45 @@ static void moodle_and_gradescope_are_read(void **state)
          .bytes = count},
         {.path = "Carla_14_assignsubmission_file_edge-table-any.c", .content = "int a;"},
         {0}};
-    put_archive("mesh-area-1234.zip", moodle);
-    expect(NULL, "mesh-area-1234.zip",
-           "Ana-Perez/mesh-area: mesh-area.c; Ana-Perez-2/mesh-area: mesh-area.c; "
-           "Bruno-Conti/mesh-area: mesh-area.c; Carla/edge-table-any: edge-table-any.c");
+    upload_scene_put_archive("mesh-area-1234.zip", moodle);
+    upload_scene_expect(
+        NULL, "mesh-area-1234.zip",
+        "Ana-Perez/mesh-area: mesh-area.c; Ana-Perez-2/mesh-area: mesh-area.c; "
+        "Bruno-Conti/mesh-area: mesh-area.c; Carla/edge-table-any: edge-table-any.c");
     static const char metadata[] =
         "---\nsubmission_501:\n  :submitters:\n  - :name: Dora Núñez\n"
         "    :sid: '1'\n    :email: d@x\n  - :name: \"Eva\"\n  :score: 1.0\n"
         "submission_502:\n  :submitters:\n  - :name: Fabio\n";
-    const struct item gradescope[] = {
+    const struct upload_item gradescope[] = {
         {.path = "assignment_9_export/submission_metadata.yml", .content = metadata},
         {.path = "assignment_9_export/submission_501/mesh-area.c", .content = "int a;"},
         {.path = "assignment_9_export/submission_502/src/mesh-area.c", .content = "int a;"},
         {.path = "assignment_9_export/submission_503/mesh-area.c", .content = "int a;"},
         {0}};
-    put_archive("export.zip", gradescope);
-    expect(NULL, "export.zip",
-           "Dora-Nunez-Eva/mesh-area: mesh-area.c; Fabio/mesh-area: mesh-area.c; "
-           "submission_503/mesh-area: mesh-area.c");
+    upload_scene_put_archive("export.zip", gradescope);
+    upload_scene_expect(NULL, "export.zip",
+                        "Dora-Nunez-Eva/mesh-area: mesh-area.c; Fabio/mesh-area: mesh-area.c; "
+                        "submission_503/mesh-area: mesh-area.c");
 }
 
 static void single_files_are_read(void **state)
 {
     (void)state;
-    put("class/ana.c", "int a;");
-    put("class/bea.c", "int a;");
-    put("class/carla/x.c", "int a;");
-    put("class/carla/y.h", "int a;");
-    put("dora/mesh-area.c", "int a;");
-    put("dora/edge-table-any.c", "int a;");
-    expect("mesh-area", "class",
-           "ana/mesh-area: ana.c; bea/mesh-area: bea.c; carla/mesh-area: x.c y.h");
-    expect("mesh-area", "class/ana.c", "ana/mesh-area: ana.c");
-    expect("mesh-area", "dora/mesh-area.c", "dora/mesh-area: mesh-area.c");
-    expect(NULL, "dora/mesh-area.c dora/edge-table-any.c",
-           "dora/edge-table-any: edge-table-any.c; dora/mesh-area: mesh-area.c");
-    expect(NULL, "class/ana.c", "ana/?: [no-source]");
-    const char *paths[] = {in_top("class/carla/x.c"), in_top("class/carla/y.h")};
+    upload_scene_put("class/ana.c", "int a;");
+    upload_scene_put("class/bea.c", "int a;");
+    upload_scene_put("class/carla/x.c", "int a;");
+    upload_scene_put("class/carla/y.h", "int a;");
+    upload_scene_put("dora/mesh-area.c", "int a;");
+    upload_scene_put("dora/edge-table-any.c", "int a;");
+    upload_scene_expect("mesh-area", "class",
+                        "ana/mesh-area: ana.c; bea/mesh-area: bea.c; carla/mesh-area: x.c y.h");
+    upload_scene_expect("mesh-area", "class/ana.c", "ana/mesh-area: ana.c");
+    upload_scene_expect("mesh-area", "dora/mesh-area.c", "dora/mesh-area: mesh-area.c");
+    upload_scene_expect(NULL, "dora/mesh-area.c dora/edge-table-any.c",
+                        "dora/edge-table-any: edge-table-any.c; dora/mesh-area: mesh-area.c");
+    upload_scene_expect(NULL, "class/ana.c", "ana/?: [no-source]");
+    const char *paths[] = {upload_scene_path("class/carla/x.c"),
+                           upload_scene_path("class/carla/y.h")};
     struct upload upload;
     assert_int_equal(upload_read_files(paths, 2, "mesh-area", &upload, NULL), 0);
     assert_int_equal(upload.file_count, 2);
@@ -349,14 +202,14 @@ static void single_files_are_read(void **state)
 static void the_order_is_always_the_same(void **state)
 {
     (void)state;
-    put("a/x/mesh-area.c", "int a;");
-    put("a/y/mesh-area.c", "int a;");
-    put("b/x/mesh-area.c", "int b;");
-    put("b/y-2/mesh-area.c", "int b;");
+    upload_scene_put("a/x/mesh-area.c", "int a;");
+    upload_scene_put("a/y/mesh-area.c", "int a;");
+    upload_scene_put("b/x/mesh-area.c", "int b;");
+    upload_scene_put("b/y-2/mesh-area.c", "int b;");
     char first[512];
-    snprintf(first, sizeof first, "%s", summary_of(NULL, "a b"));
-    expect(NULL, "b a", first);
-    expect(NULL, "b a b a", first);
+    snprintf(first, sizeof first, "%s", upload_scene_summary(NULL, "a b"));
+    upload_scene_expect(NULL, "b a", first);
+    upload_scene_expect(NULL, "b a b a", first);
     assert_string_equal(first, "x/mesh-area: mesh-area.c; x-2/mesh-area: mesh-area.c; "
                                "y/mesh-area: mesh-area.c; y-2/mesh-area: mesh-area.c");
 }
@@ -364,19 +217,19 @@ static void the_order_is_always_the_same(void **state)
 static void wrong_paths_are_errors(void **state)
 {
     (void)state;
-    const char *missing = in_top("missing");
+    const char *missing = upload_scene_path("missing");
     struct upload_list list;
     struct error err = {0};
-    assert_int_equal(upload_read(&missing, 1, exercises, NULL, &list, &err), -1);
+    assert_int_equal(upload_read(&missing, 1, upload_scene_exercises, NULL, &list, &err), -1);
     assert_non_null(strstr(err.text, "missing"));
     upload_list_release(&list);
-    put("x.txt", "x");
-    const char *text = in_top("x.txt");
-    assert_int_equal(upload_read(&text, 1, exercises, NULL, &list, NULL), -1);
+    upload_scene_put("x.txt", "x");
+    const char *text = upload_scene_path("x.txt");
+    assert_int_equal(upload_read(&text, 1, upload_scene_exercises, NULL, &list, NULL), -1);
     upload_list_release(&list);
-    assert_int_equal(upload_read(&text, 1, exercises, "no-such", &list, NULL), -1);
+    assert_int_equal(upload_read(&text, 1, upload_scene_exercises, "no-such", &list, NULL), -1);
     upload_list_release(&list);
-    assert_int_equal(upload_read(&text, 0, exercises, NULL, &list, NULL), 0);
+    assert_int_equal(upload_read(&text, 0, upload_scene_exercises, NULL, &list, NULL), 0);
     assert_int_equal(list.count, 0);
     upload_list_release(&list);
 }
@@ -388,25 +241,25 @@ static void refusals_stay_with_their_student(void **state)
     (void)state;
     static char large[UPLOAD_FILE_BYTES + 1];
     memset(large, 'x', sizeof large);
-    put("class/ana/mesh-area.c", "int a;");
-    put("class/bea/mesh-area.c", "");
-    write_bytes(in_top("class/bea/mesh-area.c"), large, sizeof large);
-    put("class/bea/edge-table-any.c", "int a;");
-    put("class/carla/mesh-area/x.c", "int a;");
-    assert_int_equal(symlink("/etc/passwd", in_top("class/carla/mesh-area/y.h")), 0);
-    put("class/dora/x", "");
-    assert_int_equal(symlink("/etc/passwd", in_top("class/dora/mesh-area.c")), 0);
-    put("class/eva/x", "");
-    assert_int_equal(mkfifo(in_top("class/eva/mesh-area.c"), 0600), 0);
-    put("class/fabio/tabla.c", "int a;");
-    put("class/gina/mesh-area/a;rm -rf ~.c", "int a;");
-    put("class/hugo/mesh-area/-o.c", "int a;");
-    put("class/iris/mesh-area.c", "int a;");
-    put("class/iris/mesh-area/x.c", "int a;");
-    put("class/jan/mesh-area/a/x.c", "int a;");
-    put("class/jan/mesh-area/b/X.c", "int a;");
-    put("class/kim/mesh-area/x.h", "int a;");
-    expect(
+    upload_scene_put("class/ana/mesh-area.c", "int a;");
+    upload_scene_put("class/bea/mesh-area.c", "");
+    upload_scene_write(upload_scene_path("class/bea/mesh-area.c"), large, sizeof large);
+    upload_scene_put("class/bea/edge-table-any.c", "int a;");
+    upload_scene_put("class/carla/mesh-area/x.c", "int a;");
+    assert_int_equal(symlink("/etc/passwd", upload_scene_path("class/carla/mesh-area/y.h")), 0);
+    upload_scene_put("class/dora/x", "");
+    assert_int_equal(symlink("/etc/passwd", upload_scene_path("class/dora/mesh-area.c")), 0);
+    upload_scene_put("class/eva/x", "");
+    assert_int_equal(mkfifo(upload_scene_path("class/eva/mesh-area.c"), 0600), 0);
+    upload_scene_put("class/fabio/tabla.c", "int a;");
+    upload_scene_put("class/gina/mesh-area/a;rm -rf ~.c", "int a;");
+    upload_scene_put("class/hugo/mesh-area/-o.c", "int a;");
+    upload_scene_put("class/iris/mesh-area.c", "int a;");
+    upload_scene_put("class/iris/mesh-area/x.c", "int a;");
+    upload_scene_put("class/jan/mesh-area/a/x.c", "int a;");
+    upload_scene_put("class/jan/mesh-area/b/X.c", "int a;");
+    upload_scene_put("class/kim/mesh-area/x.h", "int a;");
+    upload_scene_expect(
         NULL, "class",
         "ana/mesh-area: mesh-area.c; bea/edge-table-any: edge-table-any.c; "
         "bea/mesh-area: [file-too-large]; carla/mesh-area: [link]; dora/mesh-area: [link]; "
@@ -415,9 +268,9 @@ static void refusals_stay_with_their_student(void **state)
     for (int i = 0; i <= UPLOAD_FILES; i++) {
         char name[64];
         snprintf(name, sizeof name, "many/lea/mesh-area/f%d.c", i);
-        put(name, "int a;");
+        upload_scene_put(name, "int a;");
     }
-    expect(NULL, "many", "lea/mesh-area: [too-many-files]");
+    upload_scene_expect(NULL, "many", "lea/mesh-area: [too-many-files]");
 }
 
 /* Reads as somebody who may not read everything, though the test be root. */
@@ -427,7 +280,7 @@ static void expect_as_nobody(const char *names, const char *summary)
     if (is_root)
         assert_int_equal(seteuid(65534), 0);
     char found[512];
-    snprintf(found, sizeof found, "%s", summary_of(NULL, names));
+    snprintf(found, sizeof found, "%s", upload_scene_summary(NULL, names));
     if (is_root)
         assert_int_equal(seteuid(0), 0);
     assert_string_equal(found, summary);
@@ -439,88 +292,96 @@ static void what_cannot_be_read_stays_with_its_student(void **state)
     static const char *const open_to_all[] = {"", "class", "class/ana", "class/bea", "class/carla"};
     static const char *const closed[] = {"class/bea/mesh-area.c", "class/bea/notes.txt",
                                          "class/carla/x", "class/dora", "class/eva.zip"};
-    put("class/ana/mesh-area.c", "int a;");
-    put("class/bea/mesh-area.c", "int a;");
-    put("class/bea/notes.txt", "hello");
-    put("class/carla/mesh-area.c", "int a;");
-    put("class/carla/x/y.c", "int a;");
-    put("class/dora/mesh-area.c", "int a;");
-    put("class/eva.zip", "");
+    upload_scene_put("class/ana/mesh-area.c", "int a;");
+    upload_scene_put("class/bea/mesh-area.c", "int a;");
+    upload_scene_put("class/bea/notes.txt", "hello");
+    upload_scene_put("class/carla/mesh-area.c", "int a;");
+    upload_scene_put("class/carla/x/y.c", "int a;");
+    upload_scene_put("class/dora/mesh-area.c", "int a;");
+    upload_scene_put("class/eva.zip", "");
     for (size_t i = 0; i < sizeof open_to_all / sizeof open_to_all[0]; i++)
-        assert_int_equal(chmod(in_top(open_to_all[i]), 0755), 0);
+        assert_int_equal(chmod(upload_scene_path(open_to_all[i]), 0755), 0);
     for (size_t i = 0; i < sizeof closed / sizeof closed[0]; i++)
-        assert_int_equal(chmod(in_top(closed[i]), 0), 0);
+        assert_int_equal(chmod(upload_scene_path(closed[i]), 0), 0);
     static const char summary[] =
         "ana/mesh-area: mesh-area.c; bea/mesh-area: [unreadable]; "
         "carla/mesh-area: [folder-unreadable]; dora/?: [folder-unreadable]; "
         "eva/?: [archive-unreadable]";
     expect_as_nobody("class", summary);
-    assert_int_equal(chmod(in_top("class/dora"), 0444), 0); /* may be listed, not entered */
+    assert_int_equal(chmod(upload_scene_path("class/dora"), 0444),
+                     0); /* may be listed, not entered */
     expect_as_nobody("class", summary);
-    assert_int_equal(chmod(in_top("class/dora"), 0755), 0);
-    assert_int_equal(chmod(in_top("class/carla/x"), 0755), 0);
+    assert_int_equal(chmod(upload_scene_path("class/dora"), 0755), 0);
+    assert_int_equal(chmod(upload_scene_path("class/carla/x"), 0755), 0);
 }
 
 static void odd_paths_stay_with_their_student(void **state)
 {
     (void)state;
-    put("class/ana/mesh-area.c", "int a;");
-    put("class/bea/mesh-area.c", "int a;");
-    put("class/bea/src\\main.c", "int a;");
-    put("class/carla/mesh-area.c", "int a;");
-    put("class/carla/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/x.c", "int a;");
-    put("class/dora\\1/mesh-area.c", "int a;");
-    expect(NULL, "class",
-           "ana/mesh-area: mesh-area.c; bea/mesh-area: [folder-path]; "
-           "carla/mesh-area: [folder-path]; dora_1/?: [folder-path]");
+    upload_scene_put("class/ana/mesh-area.c", "int a;");
+    upload_scene_put("class/bea/mesh-area.c", "int a;");
+    upload_scene_put("class/bea/src\\main.c", "int a;");
+    upload_scene_put("class/carla/mesh-area.c", "int a;");
+    upload_scene_put("class/carla/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/x.c", "int a;");
+    upload_scene_put("class/dora\\1/mesh-area.c", "int a;");
+    upload_scene_expect(NULL, "class",
+                        "ana/mesh-area: mesh-area.c; bea/mesh-area: [folder-path]; "
+                        "carla/mesh-area: [folder-path]; dora_1/?: [folder-path]");
 }
 
 /* One student's hostile archive beside an honest one: only the hostile is refused. */
-static void expect_hostile(const char *ending, const struct item *items, const char *cause)
+static void expect_hostile(const char *ending, const struct upload_item *items, const char *cause)
 {
     char name[64], summary[128];
     snprintf(name, sizeof name, "hostile/mallory%s", ending);
-    put("hostile/ana/mesh-area.c", "int a;");
-    put_archive(name, items);
+    upload_scene_put("hostile/ana/mesh-area.c", "int a;");
+    upload_scene_put_archive(name, items);
     snprintf(summary, sizeof summary, "ana/mesh-area: mesh-area.c; mallory/%s: [%s]",
              items[0].path && strcmp(items[0].path, "mesh-area.c") == 0 ? "mesh-area" : "?", cause);
-    expect(NULL, "hostile", summary);
-    unlink(in_top(name));
+    upload_scene_expect(NULL, "hostile", summary);
+    unlink(upload_scene_path(name));
 }
 
 static void hostile_entries_are_refused(void **state)
 {
     (void)state;
 #define HONEST {.path = "mesh-area.c", .content = "int a;"}
-    expect_hostile(".tar", (struct item[]){HONEST, {.path = "../evil.c", .content = "x"}, {0}},
-                   "archive-path");
-    expect_hostile(".zip", (struct item[]){HONEST, {.path = "a/../../evil.c", .content = "x"}, {0}},
-                   "archive-path");
-    expect_hostile(".tar", (struct item[]){HONEST, {.path = "/etc/evil.c", .content = "x"}, {0}},
-                   "archive-path");
-    expect_hostile(".tar", (struct item[]){HONEST, {.path = "C:\\evil.c", .content = "x"}, {0}},
-                   "archive-path");
     expect_hostile(".tar",
-                   (struct item[]){HONEST, {.path = "x\\..\\..\\evil.c", .content = "x"}, {0}},
+                   (struct upload_item[]){HONEST, {.path = "../evil.c", .content = "x"}, {0}},
                    "archive-path");
-    expect_hostile(".tar",
-                   (struct item[]){HONEST, {.path = "l", .content = "/etc", .type = AE_IFLNK}, {0}},
-                   "archive-link");
     expect_hostile(".zip",
-                   (struct item[]){HONEST, {.path = "l", .content = "/etc", .type = AE_IFLNK}, {0}},
-                   "archive-link");
+                   (struct upload_item[]){HONEST, {.path = "a/../../evil.c", .content = "x"}, {0}},
+                   "archive-path");
     expect_hostile(".tar",
-                   (struct item[]){
+                   (struct upload_item[]){HONEST, {.path = "/etc/evil.c", .content = "x"}, {0}},
+                   "archive-path");
+    expect_hostile(".tar",
+                   (struct upload_item[]){HONEST, {.path = "C:\\evil.c", .content = "x"}, {0}},
+                   "archive-path");
+    expect_hostile(
+        ".tar", (struct upload_item[]){HONEST, {.path = "x\\..\\..\\evil.c", .content = "x"}, {0}},
+        "archive-path");
+    expect_hostile(
+        ".tar",
+        (struct upload_item[]){HONEST, {.path = "l", .content = "/etc", .type = AE_IFLNK}, {0}},
+        "archive-link");
+    expect_hostile(
+        ".zip",
+        (struct upload_item[]){HONEST, {.path = "l", .content = "/etc", .type = AE_IFLNK}, {0}},
+        "archive-link");
+    expect_hostile(".tar",
+                   (struct upload_item[]){
                        HONEST, {.path = "h.c", .content = "mesh-area.c", .is_hardlink = true}, {0}},
                    "archive-link");
-    expect_hostile(".tar", (struct item[]){HONEST, {.path = "d", .type = AE_IFCHR}, {0}},
+    expect_hostile(".tar", (struct upload_item[]){HONEST, {.path = "d", .type = AE_IFCHR}, {0}},
                    "archive-device");
-    expect_hostile(".tar", (struct item[]){HONEST, {.path = "p", .type = AE_IFIFO}, {0}},
+    expect_hostile(".tar", (struct upload_item[]){HONEST, {.path = "p", .type = AE_IFIFO}, {0}},
                    "archive-device");
-    expect_hostile(".tar.gz", (struct item[]){HONEST, {.path = "x.rar", .content = "x"}, {0}},
+    expect_hostile(".tar.gz",
+                   (struct upload_item[]){HONEST, {.path = "x.rar", .content = "x"}, {0}},
                    "archive-kind");
-    expect_hostile(".tar.gz", (struct item[]){HONEST, HONEST, {0}}, "file-twice");
-    expect_hostile(".zip", (struct item[]){{0}}, "archive-broken");
+    expect_hostile(".tar.gz", (struct upload_item[]){HONEST, HONEST, {0}}, "file-twice");
+    expect_hostile(".zip", (struct upload_item[]){{0}}, "archive-broken");
 #undef HONEST
 }
 
@@ -530,50 +391,58 @@ static void bombs_and_damage_are_refused(void **state)
     enum { ZEROS = 64 << 20 };
     char *zeros = calloc(1, ZEROS);
     assert_non_null(zeros);
-    expect_hostile(".tar.gz",
-                   (struct item[]){{.path = "zeros.bin", .content = zeros, .bytes = ZEROS}, {0}},
-                   "archive-ratio");
-    expect_hostile(".zip",
-                   (struct item[]){{.path = "zeros.bin", .content = zeros, .bytes = ZEROS}, {0}},
-                   "archive-ratio");
-    expect_hostile(".tar.xz",
-                   (struct item[]){{.path = "zeros.bin", .content = zeros, .bytes = ZEROS}, {0}},
-                   "archive-ratio");
+    expect_hostile(
+        ".tar.gz",
+        (struct upload_item[]){{.path = "zeros.bin", .content = zeros, .bytes = ZEROS}, {0}},
+        "archive-ratio");
+    expect_hostile(
+        ".zip",
+        (struct upload_item[]){{.path = "zeros.bin", .content = zeros, .bytes = ZEROS}, {0}},
+        "archive-ratio");
+    expect_hostile(
+        ".tar.xz",
+        (struct upload_item[]){{.path = "zeros.bin", .content = zeros, .bytes = ZEROS}, {0}},
+        "archive-ratio");
     free(zeros);
-    static struct item many[ARCHIVE_NESTED_ENTRIES + 3];
+    static struct upload_item many[ARCHIVE_NESTED_ENTRIES + 3];
     for (int i = 0; i < ARCHIVE_NESTED_ENTRIES + 2; i++)
-        many[i] = (struct item){.path = "d", .type = AE_IFDIR};
+        many[i] = (struct upload_item){.path = "d", .type = AE_IFDIR};
     char *inner = malloc(4 << 20), *middle = malloc(4 << 20);
     assert_non_null(inner);
     assert_non_null(middle);
-    size_t count = pack(".tar.gz", many, inner, 4 << 20);
-    expect_hostile(".zip",
-                   (struct item[]){{.path = "n.tar.gz", .content = inner, .bytes = count}, {0}},
-                   "archive-too-many");
-    count = pack(".zip", (struct item[]){{.path = "mesh-area.c", .content = "int a;"}, {0}}, inner,
-                 4 << 20);
-    count = pack(".zip", (struct item[]){{.path = "i.zip", .content = inner, .bytes = count}, {0}},
-                 middle, 4 << 20);
-    expect_hostile(".zip",
-                   (struct item[]){{.path = "m.zip", .content = middle, .bytes = count}, {0}},
-                   "archive-nested");
-    count = pack(".tar.gz", (struct item[]){{.path = "mesh-area.c", .content = "int a;"}, {0}},
-                 inner, 4 << 20);
-    put("hostile/cut.tar.gz", "");
-    write_bytes(in_top("hostile/cut.tar.gz"), inner, count / 2);
-    put("hostile/text.zip", "this is no archive");
-    put("hostile/empty.zip", "");
-    expect(NULL, "hostile",
-           "ana/mesh-area: mesh-area.c; cut/?: [archive-broken]; empty/?: [archive-broken]; "
-           "text/?: [archive-broken]");
-    expect(NULL, "hostile/text.zip", "text/?: [archive-broken]");
+    size_t count = upload_scene_pack(".tar.gz", many, inner, 4 << 20);
+    expect_hostile(
+        ".zip", (struct upload_item[]){{.path = "n.tar.gz", .content = inner, .bytes = count}, {0}},
+        "archive-too-many");
+    count = upload_scene_pack(
+        ".zip", (struct upload_item[]){{.path = "mesh-area.c", .content = "int a;"}, {0}}, inner,
+        4 << 20);
+    count = upload_scene_pack(
+        ".zip", (struct upload_item[]){{.path = "i.zip", .content = inner, .bytes = count}, {0}},
+        middle, 4 << 20);
+    expect_hostile(
+        ".zip", (struct upload_item[]){{.path = "m.zip", .content = middle, .bytes = count}, {0}},
+        "archive-nested");
+    count = upload_scene_pack(
+        ".tar.gz", (struct upload_item[]){{.path = "mesh-area.c", .content = "int a;"}, {0}}, inner,
+        4 << 20);
+    upload_scene_put("hostile/cut.tar.gz", "");
+    upload_scene_write(upload_scene_path("hostile/cut.tar.gz"), inner, count / 2);
+    upload_scene_put("hostile/text.zip", "this is no archive");
+    upload_scene_put("hostile/empty.zip", "");
+    upload_scene_expect(
+        NULL, "hostile",
+        "ana/mesh-area: mesh-area.c; cut/?: [archive-broken]; empty/?: [archive-broken]; "
+        "text/?: [archive-broken]");
+    upload_scene_expect(NULL, "hostile/text.zip", "text/?: [archive-broken]");
     free(inner);
     free(middle);
 }
 
 int main(void)
 {
-#define TEST(function) cmocka_unit_test_setup_teardown(function, make_top, remove_top)
+#define TEST(function)                                                                             \
+    cmocka_unit_test_setup_teardown(function, upload_scene_make, upload_scene_remove)
     const struct CMUnitTest tests[] = {
         TEST(folders_of_students_are_read),
         TEST(contents_and_notes_are_kept),
