@@ -1,0 +1,5 @@
+/* Tries: to read pipes: what the compiler writes to, and is told by
+ * Stopped by: the build box, which has no /proc and no descriptor but its own output
+ * expect: compile-error, syntax */
+#include "/proc/self/fd/1"
+#include "/dev/fd/2"
