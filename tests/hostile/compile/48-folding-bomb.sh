@@ -1,6 +1,7 @@
 # Tries: 40 functions that call the one before twice, all to be inlined: 10^12 calls
 # Stopped by: the build box: memory or CPU time
 # expect: compile-error, compiler-memory
+# expect(cgroup-memory): compile-error, syntax
 
 {
     echo '#include "edge-table-closed.h"'
