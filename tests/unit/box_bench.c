@@ -5,6 +5,9 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <ftw.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +16,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { HARMLESS = 7, CANNOT_PLAY = 100 };
+#include <cmocka.h>
+
+enum { CANNOT_PLAY = 100 };
 
 static char folder[64];
 static char own_name[64];
@@ -50,6 +55,19 @@ static int remove_entry(const char *path, const struct stat *about, int type, st
 void box_bench_close(void)
 {
     nftw(folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+}
+
+int box_bench_set_up(void **state)
+{
+    (void)state;
+    return box_bench_open();
+}
+
+int box_bench_tear_down(void **state)
+{
+    (void)state;
+    box_bench_close();
+    return 0;
 }
 
 const char *box_bench_folder(void)
@@ -232,4 +250,14 @@ int box_bench_as(int (*prepare)(void), int (*body)(void))
     if (waitpid(child, &status, 0) != child || !WIFEXITED(status))
         return 99;
     return WEXITSTATUS(status);
+}
+
+void box_bench_play(int (*prepare)(void), int (*body)(void))
+{
+    int result = box_bench_as(prepare, body);
+    if (result == CANNOT_PLAY) {
+        print_message("this machine cannot play that part (not root, or no user namespaces)\n");
+        skip();
+    }
+    assert_int_equal(result, 0);
 }

@@ -5,9 +5,23 @@
 
 #include "graders/box/box.h"
 
+/* Layers to leave out of a plan, as bits of its disabled_layers. */
+#define OFF(name) (1u << BOX_##name)
+#define OFF_NAMESPACES                                                                             \
+    (OFF(USER_NAMESPACE) | OFF(PID_NAMESPACE) | OFF(MOUNT_NAMESPACE) | OFF(NET_NAMESPACE) |        \
+     OFF(IPC_NAMESPACE) | OFF(UTS_NAMESPACE))
+#define OFF_GROUPS (OFF(CGROUP_MEMORY) | OFF(CGROUP_PIDS) | OFF(CGROUP_CPU))
+
+/* What an attack exits with when it did what it wanted and nothing came of it. */
+enum { HARMLESS = 7 };
+
 /* Compiles tests/hostile/box into a private folder under /tmp, with gcc -static. 0 or -1. */
 int box_bench_open(void);
 void box_bench_close(void);
+
+/* The same, as set-up and tear-down of a group of tests. */
+int box_bench_set_up(void **state);
+int box_bench_tear_down(void **state);
 
 /* The private folder; everyone may pass through it. */
 const char *box_bench_folder(void);
@@ -51,6 +65,10 @@ int box_bench_descriptors(void);
  * Returns what body returns, 0 to 99; 100 when prepare failed (then the machine cannot play that
  * part). */
 int box_bench_as(int (*prepare)(void), int (*body)(void));
+
+/* The same as a part of a test: fails unless body returns 0, skips the test where the machine
+ * cannot play the part. */
+void box_bench_play(int (*prepare)(void), int (*body)(void));
 
 /* Parts to play, for box_bench_as; each 0 or -1. */
 int box_bench_become_nobody(void);           /* a plain user */

@@ -21,15 +21,6 @@
 
 #include <cmocka.h>
 
-#define OFF(name) (1u << BOX_##name)
-
-enum { HARMLESS = 7, CANNOT_PLAY = 100 };
-
-static const uint32_t all_namespaces = OFF(USER_NAMESPACE) | OFF(PID_NAMESPACE) |
-                                       OFF(MOUNT_NAMESPACE) | OFF(NET_NAMESPACE) |
-                                       OFF(IPC_NAMESPACE) | OFF(UTS_NAMESPACE);
-static const uint32_t all_groups = OFF(CGROUP_MEMORY) | OFF(CGROUP_PIDS) | OFF(CGROUP_CPU);
-
 #define FORBIDDEN(attack, call_name, text)                                                         \
     {                                                                                              \
         .name = attack, .end = BOX_ENDED_FORBIDDEN, .call = call_name, .detail = text              \
@@ -131,16 +122,6 @@ static int everything_in_container(void)
            box_bench_expect("controls", &locales, 0);
 }
 
-static void play(int (*prepare)(void), int (*body)(void))
-{
-    int result = box_bench_as(prepare, body);
-    if (result == CANNOT_PLAY) {
-        print_message("this machine cannot play that part (not root, or no user namespaces)\n");
-        skip();
-    }
-    assert_int_equal(result, 0);
-}
-
 /* ----------------------------------------------------------- one by one, run */
 
 static void test_attacks_end_as_named(void **state)
@@ -161,31 +142,31 @@ static void test_honest_programs_run(void **state)
 static void test_plain_user(void **state)
 {
     (void)state;
-    play(box_bench_become_nobody, everything_named);
+    box_bench_play(box_bench_become_nobody, everything_named);
 }
 
 static void test_plain_user_without_namespaces(void **state)
 {
     (void)state;
-    play(box_bench_lose_namespaces, everything_named);
+    box_bench_play(box_bench_lose_namespaces, everything_named);
 }
 
 static void test_root_of_a_container_of_one_user(void **state)
 {
     (void)state;
-    play(box_bench_lose_namespaces_as_root, everything_named);
+    box_bench_play(box_bench_lose_namespaces_as_root, everything_named);
 }
 
 static void test_container(void **state)
 {
     (void)state;
-    play(box_bench_enter_container, everything_in_container);
+    box_bench_play(box_bench_enter_container, everything_in_container);
 }
 
 static void test_without_listener_calls_kill_by_themselves(void **state)
 {
     (void)state;
-    play(box_bench_lose_listener, everything);
+    box_bench_play(box_bench_lose_listener, everything);
 }
 
 /* Any layer may be missing while seccomp is there: the ends stay the same. */
@@ -200,7 +181,7 @@ static void test_each_layer_switched_off(void **state)
 static void test_seccomp_and_rlimits_alone(void **state)
 {
     (void)state;
-    uint32_t disabled = all_namespaces | all_groups | OFF(PRIVATE_ROOT) | OFF(LANDLOCK);
+    uint32_t disabled = OFF_NAMESPACES | OFF_GROUPS | OFF(PRIVATE_ROOT) | OFF(LANDLOCK);
     assert_int_equal(box_bench_expect_all("attacks", attacks, disabled, false), 0);
     assert_int_equal(box_bench_expect_all("controls", controls, disabled, false), 0);
 }
@@ -241,7 +222,7 @@ static int runs_with_version_2(void)
         return 1;
     if (!(outcome.active >> BOX_CGROUP_CPU & 1) || outcome.cpu_ns <= 0)
         return 2;
-    plan.disabled_layers = all_namespaces; /* then the group's own kill is used */
+    plan.disabled_layers = OFF_NAMESPACES; /* then the group's own kill is used */
     if (box_run(&plan, &outcome, &err) || outcome.end != BOX_ENDED_KILLED || !outcome.cleaned)
         return 3;
     return box_bench_leftovers();
@@ -250,7 +231,7 @@ static int runs_with_version_2(void)
 static void test_cgroups_of_version_2(void **state)
 {
     (void)state;
-    play(box_bench_see_version_2, runs_with_version_2);
+    box_bench_play(box_bench_see_version_2, runs_with_version_2);
 }
 
 static int refuses_to_start(void)
@@ -270,7 +251,7 @@ static int refuses_to_start(void)
 static void test_without_seccomp_nothing_runs(void **state)
 {
     (void)state;
-    play(box_bench_lose_seccomp, refuses_to_start);
+    box_bench_play(box_bench_lose_seccomp, refuses_to_start);
 }
 
 static void test_exit_in_a_constructor(void **state)
@@ -486,82 +467,6 @@ static void test_no_descriptor_is_lost(void **state)
     assert_int_equal(box_bench_descriptors(), before);
 }
 
-static int open_bench(void **state)
-{
-    (void)state;
-    return box_bench_open();
-}
-
-static int close_bench(void **state)
-{
-    (void)state;
-    box_bench_close();
-    return 0;
-}
-
-/* An engine that is killed takes its boxes with it; the next one removes its groups. */
-static void engine_that_waits(int out, uint32_t disabled)
-{
-    struct box_plan plan = box_bench_plan("attacks", "sleep");
-    struct box box;
-    struct error err = {""};
-    plan.disabled_layers = disabled;
-    if (box_start(&plan, &box, &err) ||
-        write(out, &box.program, sizeof box.program) != (ssize_t)sizeof box.program)
-        _exit(1);
-    for (;;)
-        pause();
-}
-
-static const char sweep_option[] = "--sweep-after";
-static pid_t gone_engine;
-
-/* An engine sweeps once, and what it forks knows that it did: the next one is a new program. */
-static int start_next_engine(void)
-{
-    char text[16];
-    snprintf(text, sizeof text, "%d", (int)gone_engine);
-    execl("/proc/self/exe", "test_box", sweep_option, text, (char *)NULL);
-    return 99;
-}
-
-/* That program: how much is left of the engine that is gone. */
-static int sweep_after_engine(const char *engine)
-{
-    struct box_bench_end end = {.name = "exit-zero", .end = BOX_ENDED_EXIT};
-    void *state = NULL;
-    if (open_bench(&state) != 0)
-        return 99;
-    int wrong = box_bench_expect("attacks", &end, 0) + box_bench_groups_of((pid_t)atoi(engine));
-    return wrong + (close_bench(&state) != 0);
-}
-
-static void test_killed_engine(void **state)
-{
-    (void)state;
-    const uint32_t settings[] = {0, all_namespaces};
-    for (int i = 0; i < 2; i++) {
-        int channel[2];
-        pid_t program;
-        assert_int_equal(pipe(channel), 0);
-        pid_t engine = fork();
-        if (engine == 0)
-            engine_that_waits(channel[1], settings[i]);
-        assert_int_equal(read(channel[0], &program, sizeof program), (ssize_t)sizeof program);
-        int pidfd = pidfd_open(program, 0);
-        assert_true(pidfd >= 0);
-        kill(engine, SIGKILL);
-        assert_int_equal(waitpid(engine, NULL, 0), engine);
-        struct pollfd gone = {pidfd, POLLIN, 0};
-        assert_int_equal(poll(&gone, 1, 10000), 1);
-        close(pidfd);
-        close(channel[0]);
-        close(channel[1]);
-        gone_engine = engine;
-        assert_int_equal(box_bench_as(NULL, start_next_engine), 0);
-    }
-}
-
 static void test_probes_agree_with_boxes(void **state)
 {
     (void)state;
@@ -584,10 +489,8 @@ static void test_probes_agree_with_boxes(void **state)
     assert_int_equal(box_bench_leftovers(), 0);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    if (argc == 3 && strcmp(argv[1], sweep_option) == 0)
-        return sweep_after_engine(argv[2]);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_attacks_end_as_named),
         cmocka_unit_test(test_honest_programs_run),
@@ -608,8 +511,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_several_boxes),
         cmocka_unit_test(test_threads_start_boxes),
         cmocka_unit_test(test_no_descriptor_is_lost),
-        cmocka_unit_test(test_killed_engine),
         cmocka_unit_test(test_probes_agree_with_boxes),
     };
-    return cmocka_run_group_tests(tests, open_bench, close_bench);
+    return cmocka_run_group_tests(tests, box_bench_set_up, box_bench_tear_down);
 }

@@ -16,14 +16,7 @@
 
 #include <cmocka.h>
 
-#define OFF(name) (1u << BOX_##name)
-
-enum { HARMLESS = 7, CANNOT_PLAY = 100, OUTPUT_BYTES = 1 << 16 };
-
-static const uint32_t all_namespaces = OFF(USER_NAMESPACE) | OFF(PID_NAMESPACE) |
-                                       OFF(MOUNT_NAMESPACE) | OFF(NET_NAMESPACE) |
-                                       OFF(IPC_NAMESPACE) | OFF(UTS_NAMESPACE);
-static const uint32_t all_groups = OFF(CGROUP_MEMORY) | OFF(CGROUP_PIDS) | OFF(CGROUP_CPU);
+enum { OUTPUT_BYTES = 1 << 16 };
 
 /* What a box printed, and the folder that it works in: made anew by whoever plays. */
 static char output[OUTPUT_BYTES];
@@ -277,16 +270,6 @@ static int everything(void)
     return wrong;
 }
 
-static void play(int (*prepare)(void), int (*body)(void))
-{
-    int result = box_bench_as(prepare, body);
-    if (result == CANNOT_PLAY) {
-        print_message("this machine cannot play that part (not root, or no user namespaces)\n");
-        skip();
-    }
-    assert_int_equal(result, 0);
-}
-
 static void test_here(void **state)
 {
     (void)state;
@@ -297,19 +280,19 @@ static void test_here(void **state)
 static void test_plain_user(void **state)
 {
     (void)state;
-    play(box_bench_become_nobody, everything);
+    box_bench_play(box_bench_become_nobody, everything);
 }
 
 static void test_plain_user_without_namespaces(void **state)
 {
     (void)state;
-    play(box_bench_lose_namespaces, everything);
+    box_bench_play(box_bench_lose_namespaces, everything);
 }
 
 static void test_without_groups_or_namespaces(void **state)
 {
     (void)state;
-    disabled = all_namespaces | all_groups;
+    disabled = OFF_NAMESPACES | OFF_GROUPS;
     int wrong = everything();
     disabled = 0;
     assert_int_equal(wrong, 0);
@@ -327,7 +310,7 @@ static void test_without_landlock(void **state)
 /* Children that let go of everything: ended by the pid namespace, or by init. */
 static void test_children_left_behind(void **state)
 {
-    const uint32_t settings[] = {0, all_namespaces, all_namespaces | all_groups};
+    const uint32_t settings[] = {0, OFF_NAMESPACES, OFF_NAMESPACES | OFF_GROUPS};
     (void)state;
     for (int i = 0; i < 3; i++) {
         struct box_plan plan = box_bench_plan("attacks", "leave-children");
@@ -369,20 +352,7 @@ static int refuses_without_walls(void)
 static void test_tools_need_a_wall_before_files(void **state)
 {
     (void)state;
-    play(box_bench_enter_container, refuses_without_walls);
-}
-
-static int open_bench(void **state)
-{
-    (void)state;
-    return box_bench_open();
-}
-
-static int close_bench(void **state)
-{
-    (void)state;
-    box_bench_close();
-    return 0;
+    box_bench_play(box_bench_enter_container, refuses_without_walls);
 }
 
 int main(void)
@@ -397,5 +367,5 @@ int main(void)
         cmocka_unit_test(test_process_limit),
         cmocka_unit_test(test_tools_need_a_wall_before_files),
     };
-    return cmocka_run_group_tests(tests, open_bench, close_bench);
+    return cmocka_run_group_tests(tests, box_bench_set_up, box_bench_tear_down);
 }

@@ -3,18 +3,17 @@
  * that the engine reads from outside, which sees all kinds, also memory mapped past malloc. */
 #include "graders/engine/attempt.h"
 #include "graders/engine/files.h"
+#include "tests/unit/known_program.h"
 
-#include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
-enum { MIB = 1 << 20, ANSWER_BYTES = 4096, SLACK_BYTES = 128 << 10 };
+enum { MIB = 1 << 20, SLACK_BYTES = 128 << 10 };
 static const double TOLERANCE = 0.02;
 
 /* Each takes `bytes` in one way, touches every page, and answers "no edges". The first call only
@@ -35,61 +34,29 @@ static const char PROGRAM[] =
 
 enum kind { HEAP, STACK, STATIC, MAPPED };
 
-static const char COMMAND[] =
-    "cd '%s' && gcc -O1 -w -static -DKIND=%d -DBYTES=%d -I'%s/exercises/edges/edge-table-any' "
-    "known.c "
-    "'%s/build/runner/edge-table-any.plain.o' -o known -Wl,--wrap=malloc,--wrap=calloc,"
-    "--wrap=realloc,--wrap=free,--wrap=aligned_alloc,--wrap=posix_memalign,--wrap=memalign,"
-    "--wrap=valloc";
-
-static int build_known(enum kind kind, int bytes, char *folder)
-{
-    char path[PATH_MAX + 16], command[3 * PATH_MAX];
-    struct error err = {""};
-    const char *root = project_root(&err);
-    assert_non_null(root);
-    assert_int_equal(folder_make_work(folder, &err), 0);
-    snprintf(path, sizeof path, "%s/known.c", folder);
-    assert_int_equal(file_write(path, PROGRAM, strlen(PROGRAM), &err), 0);
-    snprintf(command, sizeof command, COMMAND, folder, kind, bytes, root, root);
-    assert_int_equal(system(command), 0);
-    snprintf(path, sizeof path, "%s/known", folder);
-    int program = open(path, O_RDONLY | O_CLOEXEC);
-    assert_true(program >= 0);
-    return program;
-}
-
 /* Measures one call; *resident gets the growth of the resident peak, -1 when it cannot be read. */
 static struct control measure(enum kind kind, int bytes, uint32_t mode, int64_t *resident)
 {
     static const struct call_limits limits = {20000000000LL, 10000000000LL};
-    char folder[PATH_MAX];
+    char options[64];
+    struct known_program program;
     struct error err = {""};
     struct session session;
     struct box_outcome outcome;
-    struct region input;
-    int program = build_known(kind, bytes, folder);
-    assert_int_equal(region_make(&input, 64, true, &err), 0); /* no triangles, no vertices */
-    struct session_plan plan = {.profile = BOX_RUN,
-                                .program_fd = program,
-                                .input = &input,
-                                .answer_bytes = ANSWER_BYTES,
-                                .mode = mode,
-                                .memory_limit_bytes = 256 * MIB,
-                                .cpu_seconds = 30,
-                                .cpu = -1};
+    snprintf(options, sizeof options, "-DKIND=%d -DBYTES=%d", kind, bytes);
+    known_program_build(&program, PROGRAM, options);
+    struct session_plan plan = known_program_plan(&program);
+    plan.mode = mode;
     assert_int_equal(session_start(&session, &plan, &err), 0);
-    assert_int_equal(session_call(&session, 64, 0, &limits), CALL_ANSWERED);
+    assert_int_equal(session_call(&session, KNOWN_INPUT_BYTES, 0, &limits), CALL_ANSWERED);
     int64_t before = box_reset_peak(&session.box) == 0 ? box_peak_resident_bytes(&session.box) : -1;
-    enum call_end end = session_call(&session, 64, 0, &limits);
+    enum call_end end = session_call(&session, KNOWN_INPUT_BYTES, 0, &limits);
     *resident = before >= 0 ? box_peak_resident_bytes(&session.box) - before : -1;
     struct control claims = session.claims;
     assert_int_equal(session_end(&session, &outcome, &err), 0);
     assert_int_equal(end, CALL_ANSWERED);
     session_release(&session);
-    region_release(&input);
-    close(program);
-    folder_remove_work(folder);
+    known_program_release(&program);
     return claims;
 }
 
