@@ -105,21 +105,25 @@ static void sample_evenly(const struct mesh *mesh, const int32_t *valences, stru
     }
 }
 
-/* The first vertex of that valence and a stranger to it; of a bipyramid there are two at least. */
-static void sample_valence(const struct mesh *mesh, const int32_t *valences, int32_t valence,
-                           struct sample *sample)
+static const int32_t vertex_valences[2] = {LOW_VALENCE, ACCESS_VALENCE};
+
+/* The first vertex of the step's valence and a stranger to it; of a bipyramid there are two at
+ * least.
+ */
+static void sample_vertex(const struct mesh *mesh, const int32_t *valences, int step,
+                          struct sample *sample)
 {
     int32_t vertex = 0;
-    while (valences[vertex] != valence)
+    while (valences[vertex] != vertex_valences[step])
         vertex++;
     sample->count = 1;
     sample->vertices[0] = vertex;
     sample->others[0] = find_stranger(mesh, valences, vertex, vertex + 1);
 }
 
-/* The first face with that many corners of high valence: a flipped bipyramid has faces with one and
- * with two. */
-static void sample_face(const struct mesh *mesh, const int32_t *valences, int apexes,
+/* The first face with one corner of high valence, then the first with two: a flipped bipyramid has
+ * both. */
+static void sample_face(const struct mesh *mesh, const int32_t *valences, int step,
                         struct sample *sample)
 {
     int32_t face = -1;
@@ -129,7 +133,7 @@ static void sample_face(const struct mesh *mesh, const int32_t *valences, int ap
         high = 0;
         for (int i = 0; i < 3; i++)
             high += valences[mesh->triangles[3 * face + i]] >= ACCESS_VALENCE;
-    } while (high != apexes);
+    } while (high != 1 + step);
     sample->count = 1;
     sample->faces[0] = face;
 }
@@ -240,38 +244,23 @@ static int ask_torus(const struct representation *kind, const struct mesh *mesh,
     return result;
 }
 
-/* About vertices of both valences. */
-static int ask_bipyramid(const struct representation *kind, const struct mesh *mesh,
-                         struct means *means, struct error *err)
-{
-    static const int32_t valences[] = {LOW_VALENCE, ACCESS_VALENCE};
-    struct subject subject;
-    if (subject_make(&subject, kind, mesh, err) != 0)
-        return -1;
-    int result = 0;
-    for (int i = 0; i < 2 && result == 0; i++) {
-        struct sample sample = {.count = 0};
-        sample_valence(&subject.mesh, subject.valences, valences[i], &sample);
-        result = ask(&subject, sample, QUERY_FACES_AROUND_VERTEX, QUERY_IS_EDGE,
-                     means->by_valence[i], err);
-    }
-    subject_release(&subject);
-    return result;
-}
+typedef void sample_fn(const struct mesh *mesh, const int32_t *valences, int step,
+                       struct sample *sample);
 
-/* About a face with one apex, and one with both. */
-static int ask_flipped(const struct representation *kind, const struct mesh *mesh,
-                       struct means *means, struct error *err)
+/* Two steps of valence on the same mesh: the queries from `first` to `last` about what `choose`
+ * takes at each. */
+static int ask_valences(const struct representation *kind, const struct mesh *mesh,
+                        sample_fn *choose, enum query first, enum query last, struct means *means,
+                        struct error *err)
 {
     struct subject subject;
     if (subject_make(&subject, kind, mesh, err) != 0)
         return -1;
     int result = 0;
-    for (int i = 0; i < 2 && result == 0; i++) {
+    for (int step = 0; step < 2 && result == 0; step++) {
         struct sample sample = {.count = 0};
-        sample_face(&subject.mesh, subject.valences, 1 + i, &sample);
-        result = ask(&subject, sample, QUERY_FACE_VERTICES, QUERY_FACE_NEIGHBOURS,
-                     means->by_valence[i], err);
+        choose(&subject.mesh, subject.valences, step, &sample);
+        result = ask(&subject, sample, first, last, means->by_valence[step], err);
     }
     subject_release(&subject);
     return result;
@@ -309,8 +298,10 @@ static int count_kind(const struct representation *kind, const struct mesh meshe
     struct means means = {.by_size = {{0.0}}};
     if (ask_torus(kind, &meshes[SMALL_TORUS], means.by_size[0], err) != 0 ||
         ask_torus(kind, &meshes[LARGE_TORUS], means.by_size[1], err) != 0 ||
-        ask_bipyramid(kind, &meshes[BIPYRAMID], &means, err) != 0 ||
-        ask_flipped(kind, &meshes[FLIPPED], &means, err) != 0)
+        ask_valences(kind, &meshes[BIPYRAMID], sample_vertex, QUERY_FACES_AROUND_VERTEX,
+                     QUERY_IS_EDGE, &means, err) != 0 ||
+        ask_valences(kind, &meshes[FLIPPED], sample_face, QUERY_FACE_VERTICES,
+                     QUERY_FACE_NEIGHBOURS, &means, err) != 0)
         return -1;
     for (int query = 0; query < QUERY_COUNT; query++) {
         struct access_count *row = rows + query;
@@ -334,7 +325,7 @@ int accesses_count(struct access_counts *counts, struct error *err)
     int kinds = 0, result = make_meshes(meshes, err);
     while (counted_representation_table[kinds])
         kinds++;
-    *counts = (struct access_counts){.valences = {LOW_VALENCE, ACCESS_VALENCE}};
+    *counts = (struct access_counts){.valences = {vertex_valences[0], vertex_valences[1]}};
     for (int i = 0; i < 2; i++)
         counts->triangles[i] = meshes[SMALL_TORUS + i].triangle_count;
     counts->rows = calloc((size_t)kinds * QUERY_COUNT + 1, sizeof *counts->rows);
