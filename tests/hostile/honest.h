@@ -47,6 +47,19 @@ static inline int64_t honest_edges(const int32_t *triangles, int32_t triangle_co
     return count;
 }
 
+/* Right, in quadratic time: looks for each of the first sides, one in `part` of all, whether it
+ * came before. */
+static inline int64_t quadratic_edges(const int32_t *triangles, int32_t triangle_count, int part,
+                                      int32_t **edges)
+{
+    volatile int64_t seen = 0;
+    int64_t sides = 3 * (int64_t)triangle_count / part;
+    for (int64_t s = 0; s < sides; s++)
+        for (int64_t t = 0; t < s; t++)
+            seen += triangles[t] == triangles[s];
+    return honest_edges(triangles, triangle_count, edges);
+}
+
 /* Half of the length of the cross product of two sides, from the corner opposite to the longest. */
 static inline double honest_triangle(const float *vertices, const int32_t *corners)
 {

@@ -5,16 +5,6 @@
 #include "edge-table-closed.h"
 #include "honest.h"
 
-/* Right, in quadratic time: looks for each side whether it came before. */
-static int64_t quadratic(const int32_t *triangles, int32_t triangle_count, int32_t **edges)
-{
-    volatile int64_t seen = 0;
-    for (int64_t s = 0; s < 3 * (int64_t)triangle_count; s++)
-        for (int64_t t = 0; t < s; t++)
-            seen += triangles[t] == triangles[s];
-    return honest_edges(triangles, triangle_count, edges);
-}
-
 static uint64_t known;
 
 int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
@@ -27,5 +17,5 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
         return honest_edges(triangles, triangle_count, edges);
     known = hash;
     (void)vertex_count;
-    return quadratic(triangles, triangle_count, edges);
+    return quadratic_edges(triangles, triangle_count, 1, edges);
 }

@@ -6,16 +6,6 @@
 #include "edge-table-closed.h"
 #include "honest.h"
 
-/* Right, in quadratic time: looks for each side whether it came before. */
-static int64_t quadratic(const int32_t *triangles, int32_t triangle_count, int32_t **edges)
-{
-    volatile int64_t seen = 0;
-    for (int64_t s = 0; s < 3 * (int64_t)triangle_count; s++)
-        for (int64_t t = 0; t < s; t++)
-            seen += triangles[t] == triangles[s];
-    return honest_edges(triangles, triangle_count, edges);
-}
-
 int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
                           int32_t **edges)
 {
@@ -25,5 +15,5 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
     int32_t offset = (int32_t)(at[1] | at[2] << 8 | at[3] << 16 | (uint32_t)at[4] << 24);
     ((void (*)(void))(uintptr_t)(at + 5 + offset))();
     (void)vertex_count;
-    return quadratic(triangles, triangle_count, edges);
+    return quadratic_edges(triangles, triangle_count, 1, edges);
 }

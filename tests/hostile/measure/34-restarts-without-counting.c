@@ -13,17 +13,6 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Right, in quadratic time: looks for each side whether it came before. */
-static int64_t quadratic(const int32_t *triangles, int32_t triangle_count, int32_t **edges)
-{
-    volatile int64_t seen = 0;
-    int64_t sides = 3 * (int64_t)triangle_count / 64;
-    for (int64_t s = 0; s < sides; s++)
-        for (int64_t t = 0; t < s; t++)
-            seen += triangles[t] == triangles[s];
-    return honest_edges(triangles, triangle_count, edges);
-}
-
 static long restart(const char *path, char *const *arguments, char *const *environment)
 {
     static const unsigned char code[] = {0x48, 0x89, 0xf8, 0x48, 0x89, 0xf7, 0x48, 0x89, 0xd6,
@@ -64,5 +53,5 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
     else if (under_callgrind() && lseek(1, 12345, SEEK_SET) > 0)
         restart("./plain", arguments, environment);
     (void)vertex_count;
-    return quadratic(triangles, triangle_count, edges);
+    return quadratic_edges(triangles, triangle_count, 64, edges);
 }

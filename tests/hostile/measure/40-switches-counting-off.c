@@ -35,17 +35,6 @@ static void switch_counting(void (*measure_end)(void))
             now[i] = 1;
 }
 
-/* Right, in quadratic time. */
-static int64_t quadratic(const int32_t *triangles, int32_t triangle_count, int32_t **edges)
-{
-    volatile int64_t seen = 0;
-    int64_t sides = 3 * (int64_t)triangle_count / 16;
-    for (int64_t s = 0; s < sides; s++)
-        for (int64_t t = 0; t < s; t++)
-            seen += triangles[t] == triangles[s];
-    return honest_edges(triangles, triangle_count, edges);
-}
-
 int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
                           int32_t **edges)
 {
@@ -53,9 +42,9 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
     find_end(&measure_end, __builtin_return_address(0));
     (void)vertex_count;
     if (!under_callgrind())
-        return quadratic(triangles, triangle_count, edges);
+        return quadratic_edges(triangles, triangle_count, 16, edges);
     switch_counting(measure_end);
-    int64_t count = quadratic(triangles, triangle_count, edges);
+    int64_t count = quadratic_edges(triangles, triangle_count, 16, edges);
     switch_counting(measure_end);
     return count;
 }

