@@ -5,7 +5,6 @@
 #include "edge-table-closed.h"
 #include "honest.h"
 
-#include <stdlib.h>
 
 int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
                           int32_t **edges)

@@ -7,7 +7,6 @@
 #include "edge-table-closed.h"
 #include "honest.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 extern char __bss_start[], end[];
