@@ -321,7 +321,8 @@ $(INJECTOR): tests/faults/inject.c
 test: $(INJECTOR)
 .PHONY: faults
 faults: all $(INJECTOR) ## fail POINTS of the grader's calls of each kind (0: all) and look what comes of it
-	@tests/faults/sweep $(INJECTOR) --points $(POINTS) --full
+	@code=0; tests/faults/sweep $(INJECTOR) --points $(POINTS) --full || code=1; \
+	  tests/faults/sweep $(INJECTOR) --points $(POINTS) --grade || code=1; exit $$code
 
 # ---------------------------------------------------------------- coverage
 # By clang, whose counters survive a killed process; see tests/coverage/run.

@@ -158,6 +158,17 @@ struct box_outcome {
  * Returns 0, or -1 and *err. */
 int box_give_folder(const char *path, struct error *err) MUST_CHECK;
 
+/* Lets programs in the box, and no other user, pass the folder above `path`, which is the caller's
+ * own and of mode 0700. Where there is no private root, a program has the host's name, and valgrind
+ * reads the symbols of what it runs from the file of that name. Only root changes anything (group
+ * and mode of that one folder).
+ * Returns 0, or -1 and *err. */
+int box_open_way(const char *path, struct error *err) MUST_CHECK;
+
+/* Whether a program in this box, started by root without a private root, cannot pass some folder
+ * above `path` (absolute) by the folders' modes; that folder goes to `closed` (PATH_MAX bytes). */
+bool box_way_is_closed(const struct box *box, const char *path, char *closed);
+
 /* Starts a program. Returns 0 when the program runs; -1 and *err when the box could not be made or
  * the program not be executed (a fault), and then nothing is left. It is also a fault when
  *   - seccomp or rlimits are not active and the caller did not disable them by name,

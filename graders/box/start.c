@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +17,13 @@
 /* A box comes up in 2 ms; this much later the machine has stalled. */
 enum { START_LIMIT_MS = 30000 };
 
+/* Whether programs get a user id of their own, unless the kernel refuses it. */
+static bool gives_other_user(void)
+{
+    static const struct box_plan any;
+    return geteuid() == 0 && layer_wanted(&any, BOX_OTHER_USER);
+}
+
 int box_give_folder(const char *path, struct error *err)
 {
     struct stat about;
@@ -24,13 +32,46 @@ int box_give_folder(const char *path, struct error *err)
         return error_set(err, "%s: cannot open the folder: %s", path, strerrordesc_np(errno));
     int failed = 0;
     /* EINVAL: a container that has no such user; there the program keeps the engine's own. */
-    if (geteuid() == 0 && fchown(fd, SPARE_ID, SPARE_ID) && errno != EINVAL)
+    if (gives_other_user() && fchown(fd, SPARE_ID, SPARE_ID) && errno != EINVAL)
         failed = error_set(err, "%s: cannot give the folder to the box: %s", path,
                            strerrordesc_np(errno));
     else if (fstat(fd, &about) || (about.st_mode & S_IRWXU) != S_IRWXU)
         failed = error_set(err, "%s: its owner must be able to read, write and enter it", path);
     close(fd);
     return failed;
+}
+
+int box_open_way(const char *path, struct error *err)
+{
+    char above[PATH_MAX];
+    struct stat about;
+    if (!gives_other_user())
+        return 0;
+    if (snprintf(above, sizeof above, "%s/..", path) >= PATH_MAX)
+        return error_set(err, "%s: the path is too long", path);
+    int fd = open(above, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    /* EINVAL: as above. */
+    int failed = fd < 0 || (fchown(fd, (uid_t)-1, SPARE_ID) && errno != EINVAL) ||
+                 fstat(fd, &about) || fchmod(fd, (about.st_mode & 07777) | S_IXGRP);
+    if (failed)
+        error_set(err, "%s: cannot let programs in boxes pass: %s", above, strerrordesc_np(errno));
+    if (fd >= 0)
+        close(fd);
+    return failed ? -1 : 0;
+}
+
+bool box_way_is_closed(const struct box *box, const char *path, char *closed)
+{
+    struct stat about;
+    bool by_name = !(box->active >> BOX_PRIVATE_ROOT & 1) && box->active >> BOX_OTHER_USER & 1;
+    for (const char *slash = strchr(path + 1, '/'); by_name && slash;
+         slash = strchr(slash + 1, '/')) {
+        snprintf(closed, PATH_MAX, "%.*s", (int)(slash - path), path);
+        if (stat(closed, &about) == 0 && !(about.st_mode & S_IXOTH) &&
+            !(about.st_gid == SPARE_ID && about.st_mode & S_IXGRP))
+            return true;
+    }
+    return false;
 }
 
 static int check_plan(const struct box_plan *plan, struct error *err)

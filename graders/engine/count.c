@@ -172,14 +172,19 @@ static int check_end(const struct range *range, struct series *series,
 }
 
 /* A submission in valgrind's process can write where valgrind writes. What is not exactly what
- * callgrind would have written may be its doing as well as ours, and gives no mark either way. */
-static void blame_dump(const struct error *why, struct attempt *failure)
+ * callgrind would have written may be its doing as well as ours, and gives no mark either way.
+ * Where callgrind could not read the program at all, it is this machine's: a fault, -1. */
+static int blame_dump(const struct series *series, const struct error *why, struct attempt *failure,
+                      struct error *err)
 {
+    if (series_check_way(series, err) != 0)
+        return -1;
     attempt_say(failure, VERDICT_FLAGGED, "no-counts",
                 "The counts of your work are not to be believed (%.200s): a person must look.",
                 "No se puede confiar en las cuentas de tu trabajo (%.200s): debe mirarlo una "
                 "persona.",
                 why->text);
+    return 0;
 }
 
 static bool is_hopeless(const struct cost *costs, const struct cost *reference, int i, int first)
@@ -213,7 +218,7 @@ static int measure(const struct range *range, const struct build *build, enum se
         if (tool == SERIES_PLAIN)
             read_memory(range, &series, &costs[i]);
         else if (read_counts(range, &series, i, &costs[i], &unread) != 0)
-            blame_dump(&unread, &run->failure);
+            result = blame_dump(&series, &unread, &run->failure, err);
         if (unread.text[0])
             break;
         run->done++;
@@ -226,7 +231,7 @@ static int measure(const struct range *range, const struct build *build, enum se
         result = -1;
     else if (result == 0 && counted &&
              check_end(range, &series, &run->failure.outcome, &unproven) != 0)
-        blame_dump(&unproven, &run->failure);
+        result = blame_dump(&series, &unproven, &run->failure, err);
     series_release(&series);
     return result;
 }

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-enum { WARM_UP_PAIRS = 3 };
+enum { WARM_UP_PAIRS = 3, WITHIN_LEAD = 3 };
 static const struct call_limits limits = {30000000000LL, 5000000000LL};
 
 /* ------------------------------------------------------------------- pairs */
@@ -141,16 +141,13 @@ int pace_end(struct pace *pace, struct error *err)
 /* ---------------------------------------------------------------- decision */
 
 /* One pair for the test. A wrong answer, however fast, counts as slow: no credit for it. */
-static int add_pair(struct pace *pace, struct sign_test *test, bool *within, struct error *err)
+static int add_pair(struct pace *pace, struct sign_test *test, struct error *err)
 {
     double ratio;
-    *within = false;
     if (pace_pair(pace, &ratio, err) != 0)
         return -1;
-    if (pace->gone)
-        return 0;
-    sign_test_add(test, pace->right ? ratio : 2 * test->bound);
-    *within = pace->right && ratio > 0 && ratio <= test->bound;
+    if (!pace->gone)
+        sign_test_add(test, pace->right ? ratio : 2 * test->bound);
     return 0;
 }
 
@@ -159,10 +156,9 @@ int trial_is_slower(struct trial *trial, int family, int size_index, double boun
 {
     struct sign_test test = {.bound = bound};
     struct pace pace;
-    bool within;
     int result = pace_start(&pace, trial, family, size_index, err);
     while (result == 0 && !pace.gone && sign_test_decision(&test) == SIGN_OPEN)
-        result = add_pair(&pace, &test, &within, err);
+        result = add_pair(&pace, &test, err);
     *slower = pace.gone || sign_test_decision(&test) == SIGN_ABOVE;
     return pace_end(&pace, err) != 0 ? -1 : result;
 }
@@ -172,13 +168,13 @@ int trial_time_denies(struct trial *trial, int family, int size_index, double bo
 {
     struct sign_test test = {.bound = bound};
     struct pace pace;
-    bool cleared = false;
     int result = pace_start(&pace, trial, family, size_index, err);
     *failure = pace.failure;
     pace.failure = (struct attempt){.verdict = VERDICT_PASSED};
     if (result == 0 && failure->verdict == VERDICT_PASSED)
-        while (result == 0 && !pace.gone && !cleared && sign_test_decision(&test) == SIGN_OPEN)
-            result = add_pair(&pace, &test, &cleared, err);
-    *denied = pace.gone || (!cleared && sign_test_decision(&test) == SIGN_ABOVE);
+        while (result == 0 && !pace.gone && test.below - test.above < WITHIN_LEAD &&
+               sign_test_decision(&test) == SIGN_OPEN)
+            result = add_pair(&pace, &test, err);
+    *denied = pace.gone || sign_test_decision(&test) == SIGN_ABOVE;
     return pace_end(&pace, err) != 0 ? -1 : result;
 }

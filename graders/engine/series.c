@@ -74,7 +74,7 @@ static int make_folder(struct series *series, const struct series_plan *plan, st
     if (folder_make_work(series->folder, err) != 0 ||
         build_copy_program(plan->build, tools[plan->tool].program, series->folder, err) != 0)
         return -1;
-    if (make_scratch(series, err) != 0)
+    if (make_scratch(series, err) != 0 || box_open_way(series->folder, err) != 0)
         return -1;
     return plan->tool == SERIES_CALLGRIND
                ? dumps_make(&series->dumps, series->folder, SIZES_MAX, err)
@@ -144,6 +144,17 @@ int series_end(struct series *series, struct attempt *attempt, struct error *err
     if (series->end == CALL_ANSWERED)
         return 0;
     return attempt_explain_death(series->end, &attempt->claims, &attempt->outcome, attempt, err);
+}
+
+int series_check_way(const struct series *series, struct error *err)
+{
+    char closed[PATH_MAX];
+    if (!box_way_is_closed(&series->session.box, series->folder, closed))
+        return 0;
+    return error_set(err,
+                     "%s: programs in boxes cannot pass this folder, and valgrind cannot read what "
+                     "it counts: chmod o+x it, or choose another output folder (or TMPDIR)",
+                     closed);
 }
 
 void series_release(struct series *series)

@@ -63,6 +63,11 @@ enum call_end series_call(struct series *series, const struct input *input,
  * its output and outcome are filled in any case. Returns 0, or -1 and *err: a fault. */
 int series_end(struct series *series, struct attempt *attempt, struct error *err) MUST_CHECK;
 
+/* Why a tool may know nothing of its program: valgrind reads symbols from the file by its name, and
+ * where a box has no private root, that name must lead through folders which the box's user may
+ * pass. Returns 0, or -1 and *err with the remedy: a fault. */
+int series_check_way(const struct series *series, struct error *err) MUST_CHECK;
+
 void series_release(struct series *series);
 
 #endif

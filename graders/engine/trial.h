@@ -101,7 +101,9 @@ int trial_is_slower(struct trial *trial, int family, int size_index, double boun
                     struct error *err) MUST_CHECK;
 
 /* The same question about a bound that no honest submission comes near, asked of every submission:
- * one pair of runs within it answers no. The meshes are others than those that are counted.
+ * a lead of three pairs within it answers no. One pair would not do: beside other work a single run
+ * of the reference is at times charged six times what the others are, and of nine pairs that is one
+ * too often. The meshes are others than those that are counted.
  *
  * denied   gets whether the time is above the bound, or the submission did not answer
  * failure  gets a wrong answer to one of the first three meshes, or one whose verdict is

@@ -49,8 +49,29 @@ else
     ok "without user namespaces it is refused with one clear line" [ "$code" -eq 2 -a "$(wc -l <"$scratch/talk")" -eq 1 ]
 fi
 
+# As root in a container: no namespaces, and the box's user is another one, which reaches files by the host's names.
 if [ "$(id -u)" -eq 0 ]; then
     chmod 755 "$scratch"
+    mkdir -p "$scratch/right/ana" "$scratch/closed"
+    cp "$answer" "$scratch/right/ana/edge-table-any.c"
+    chmod 700 "$scratch/closed"
+    for layer in mount-namespace pid-namespace private-root other-user; do
+        "$meshgrade" grade "$scratch/right" --without $layer -o "$scratch/open-$layer" --no-pictures >/dev/null 2>"$scratch/talk"
+        ok "root without $layer gives full marks, counts included" python3 -c '
+import json, sys
+r = json.load(open(sys.argv[1]))
+assert r["verdict"] == "passed" and r["score"] == r["max_score"] and not r["not_measured"], (r["verdict"], r["score"])
+assert sys.argv[2] in r["protections"]["inactive"], r["protections"]' "$scratch/open-$layer/results/ana/edge-table-any.json" $layer
+    done
+    "$meshgrade" grade "$scratch/right" --without private-root -o "$scratch/closed/marks" --no-pictures >/dev/null 2>"$scratch/talk"
+    ok "a folder that the box's user cannot pass is a fault" [ $? -eq 2 ]
+    ok "which names it and the remedy" matches "$scratch/talk" "$scratch/closed: .*chmod o.x"
+    ok "without a result" [ ! -e "$scratch/closed/marks/results/ana/edge-table-any.json" ]
+else
+    skip "root without namespaces gives full marks" "needs root"
+fi
+
+if [ "$(id -u)" -eq 0 ]; then
     cp "$answer" "$scratch/answer.c"
     TMPDIR=/tmp setpriv --reuid 65534 --regid 65534 --clear-groups "$meshgrade" check edge-table-any --all --json "$scratch/answer.c" >"$scratch/nobody.json" 2>"$scratch/talk"
     code=$?

@@ -21,8 +21,13 @@ if [ -f "$BUILD/tests/faults/inject.so" ]; then
     code=$?
     ok "one call of each kind fails: $(tail -n 1 "$scratch/sweep")" [ $code -eq 0 ]
     sed -n '$!s/^/# /p' "$scratch/sweep"
+    tests/faults/sweep "$BUILD/tests/faults/inject.so" --grade --points 1 --calls malloc,write,rename,fsync,fork >"$scratch/sweep"
+    code=$?
+    ok "and while a class is graded, where nothing is lost: $(tail -n 1 "$scratch/sweep")" [ $code -eq 0 ]
+    sed -n '$!s/^/# /p' "$scratch/sweep"
 else
     skip "one call of each kind fails" "inject.so was not built"
+    skip "and while a class is graded, where nothing is lost" "inject.so was not built"
 fi
 
 # -- the output
