@@ -2,6 +2,6 @@
  * Stopped by: the build box, which has no /proc and no descriptor but its own output; behind it the
  * policy on what is included
  * expect: compile-error, syntax
- * expect(private-root): compile-error, forbidden-include */
+ * expect(mount-namespace): compile-error, forbidden-include */
 #include "/proc/self/fd/1"
 #include "/dev/fd/2"
