@@ -97,6 +97,20 @@ static void arrange_descriptors(struct inside *inside)
     inside->work_fd = inside->work_fd < 0 ? -1 : SLOT_WORK;
 }
 
+/* The engine's descriptor leads into the engine's mount namespace, and has no path in ours: where
+ * no private root will hide the folder, a shell that starts in it would complain. This early the
+ * user is still the engine's, who may pass all folders above. If not, it stays as it is. */
+static void reopen_work(const struct inside *inside)
+{
+    if (!(inside->namespaces & CLONE_NEWNS) || inside->work_fd < 0)
+        return;
+    int own = open(inside->plan->writable, O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (own < 0)
+        return;
+    dup3(own, SLOT_WORK, O_CLOEXEC);
+    close(own);
+}
+
 /* Waits until the engine has mapped users and set cgroups; it says whether the user is another. */
 static void await_go(struct inside *inside)
 {
@@ -211,6 +225,7 @@ _Noreturn void init_main(struct inside *inside)
     reset_signals();
     umask(022);
     arrange_descriptors(inside);
+    reopen_work(inside);
     await_go(inside);
     if (inside->namespaces & CLONE_NEWUSER)
         become_inner_user(inside);

@@ -61,7 +61,8 @@ if [ "$(id -u)" -eq 0 ]; then
 import json, sys
 r = json.load(open(sys.argv[1]))
 assert r["verdict"] == "passed" and r["score"] == r["max_score"] and not r["not_measured"], (r["verdict"], r["score"])
-assert sys.argv[2] in r["protections"]["inactive"], r["protections"]' "$scratch/open-$layer/results/ana/edge-table-any.json" $layer
+assert sys.argv[2] in r["protections"]["inactive"], r["protections"]
+assert r["build"]["diagnostics"] == "", r["build"]["diagnostics"]' "$scratch/open-$layer/results/ana/edge-table-any.json" $layer
     done
     "$meshgrade" grade "$scratch/right" --without private-root -o "$scratch/closed/marks" --no-pictures >/dev/null 2>"$scratch/talk"
     ok "a folder that the box's user cannot pass is a fault" [ $? -eq 2 ]
