@@ -195,7 +195,7 @@ static void add_mark(struct scene *scene, struct mark mark)
         if (mark.vertex[i] < 0)
             return;
     if (!scene->marks)
-        scene->marks = malloc(SCENE_MARK_LIMIT * sizeof *scene->marks);
+        scene->marks = calloc(SCENE_MARK_LIMIT, sizeof *scene->marks);
     if (!scene->marks)
         return;
     while (scene->kept_mark_count == SCENE_MARK_LIMIT && is_sampled(scene, &mark))

@@ -112,8 +112,10 @@ static json_t *allowed_curve(const json_t *own, const char *allowed)
     size_t i;
     json_t *size;
     json_array_foreach(sizes, i, size)
-        json_array_append_new(y, json_real(first * growth_term(class, json_number_value(size)) /
-                                           growth_term(class, first_size)));
+    {
+        double term = growth_term(class, json_number_value(size));
+        json_array_append_new(y, json_real(first * term / growth_term(class, first_size)));
+    }
     return json_pack("{s:s, s:s, s:O, s:o}", "name", "allowed", "guide", allowed, "x", sizes, "y",
                      y);
 }

@@ -27,8 +27,8 @@ void page_limits(struct html *page, const struct bench_page *context);
 void page_repeat(struct html *page, const struct bench_page *context);
 
 /* The tables: representations by operation (times, and ratios with intervals), kernels and peers,
- * other comparisons of the run (readers, the paper's operations), goals, the meshes, claims, counted accesses. Each
- * writes nothing when the run has no such rows. */
+ * other comparisons of the run (readers, the paper's operations), goals, the meshes, claims,
+ * counted accesses. Each writes nothing when the run has no such rows. */
 void page_representations(struct html *page, struct bench_page *context);
 void page_comparison(struct html *page, struct bench_page *context, const char *what,
                      const char *title);
