@@ -96,9 +96,10 @@ LDLIBS := $(shell pkg-config --libs $(LIBRARIES) 2>/dev/null) -lm
 DEPENDENCIES = -MMD -MP
 
 # ---------------------------------------------------------------- the programs
-LIBRARY_SOURCES := $(wildcard reference/mesh/*.c reference/formats/*.c reference/representation/*.c \
-  reference/kernels/*.c bench/measure/*.c bench/compare/*.c graders/box/*.c \
-  graders/engine/*.c graders/judges/*.c graders/judges/*/*.c graders/report/*.c graders/report/*/*.c) graders/runner/packet.c
+LIBRARY_SOURCES := $(wildcard reference/base/*.c reference/mesh/*.c reference/formats/*.c \
+  reference/representation/*.c reference/kernels/*.c bench/measure/*.c bench/compare/*.c graders/wire/*.c \
+  graders/box/*.c graders/engine/*.c graders/engine/*/*.c graders/judges/*.c graders/judges/*/*.c \
+  graders/report/*.c graders/report/*/*.c)
 LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/judge-table.o \
   $(BUILD)/representation-table.o $(BUILD)/counted-representations.o
 JUDGES := $(patsubst %.c,%,$(notdir $(wildcard graders/judges/*/*.c)))
@@ -162,7 +163,7 @@ $(BUILD)/bench/measure/machine.o: CFLAGS += -DBUILD_FLAGS='"$(MODE)"'
 
 # The representations once more, with a call before every read (bench/compare/counted_reads.h), as one
 # object with a single name. Instrumented the same in every configuration.
-COUNTED_SOURCES := $(wildcard reference/mesh/*.c reference/representation/*.c)
+COUNTED_SOURCES := $(wildcard reference/base/*.c reference/mesh/*.c reference/representation/*.c)
 COUNTED_OBJECTS := $(COUNTED_SOURCES:%.c=$(BUILD)/counted/%.o) $(BUILD)/counted/representation-table.o
 COUNTED_NAMES := memcpy memcmp representation_table
 COUNTED_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O1 -g -fsanitize=thread $(WARNINGS) \
@@ -202,29 +203,29 @@ build/peers/%.o: bench/peers/%.cpp
 # every configuration. Flavours: plain has the allocation shim; sanitized and checked leave allocation to
 # the sanitizers and to valgrind's memcheck.
 RUNNER_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O2 -g -fno-sanitize=all $(WARNINGS)
-RUNNER_PARTS := $(patsubst %.c,%,$(notdir $(wildcard graders/runner/*.c)))
+RUNNER_PARTS := $(patsubst %.c,%,$(wildcard graders/runner/*.c graders/wire/*.c))
 SHIM := malloc calloc realloc free aligned_alloc posix_memalign memalign valloc
 RUNNER_NAMES := main $(SHIM:%=__wrap_%) __ubsan_default_options
 FLAVOUR_plain :=
 FLAVOUR_sanitized := -DRUNNER_WITHOUT_SHIM
 FLAVOUR_checked := -DRUNNER_WITHOUT_SHIM
 
-build/runner/plain/%.o: graders/runner/%.c
+build/runner/plain/%.o: %.c
 	@mkdir -p $(@D)
 	$(call SHOW,CC  $<)$(CC) $(RUNNER_FLAGS) $(DEPENDENCIES) -c $< -o $@
-build/runner/sanitized/%.o: graders/runner/%.c
+build/runner/sanitized/%.o: %.c
 	@mkdir -p $(@D)
 	$(call SHOW,CC  $<)$(CC) $(RUNNER_FLAGS) $(FLAVOUR_sanitized) $(DEPENDENCIES) -c $< -o $@
-build/runner/checked/%.o: graders/runner/%.c
+build/runner/checked/%.o: %.c
 	@mkdir -p $(@D)
 	$(call SHOW,CC  $<)$(CC) $(RUNNER_FLAGS) $(FLAVOUR_checked) $(DEPENDENCIES) -c $< -o $@
 
-# $(1): path of the call's source without .c, $(2): the flavour
+# $(1): <group>/<name> of the exercise, $(2): the flavour
 define runner_rules
-build/runner/$(2)/$(1).o: graders/runner/$(1).c
+build/runner/$(2)/graders/runner/$(1).o: graders/runner/$(1).c
 	@mkdir -p $$(@D)
 	$$(call SHOW,CC  $$<)$$(CC) $$(RUNNER_FLAGS) -Iexercises/$(1) $$(FLAVOUR_$(2)) $$(DEPENDENCIES) -c $$< -o $$@
-build/runner/$(notdir $(1)).$(2).o: build/runner/$(2)/$(1).o $(RUNNER_PARTS:%=build/runner/$(2)/%.o)
+build/runner/$(notdir $(1)).$(2).o: build/runner/$(2)/graders/runner/$(1).o $(RUNNER_PARTS:%=build/runner/$(2)/%.o)
 	@ld -r $$^ -o $$@.tmp
 	@objcopy $(RUNNER_NAMES:%=--keep-global-symbol=%) \
 	$$@.tmp $$@
@@ -265,8 +266,8 @@ $(UNIT_TESTS): $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(UNIT_SUPPORT) $(
 
 # The answers that the plain kernels are compared with.
 YARDSTICKS := edges/edge-table-any edges/edge-table-closed processing/mesh-area
-$(BUILD)/tests/unit/test_kernels_yardstick: $(YARDSTICKS:%=$(BUILD)/reference/%.o)
-$(YARDSTICKS:%=$(BUILD)/reference/%.o): CFLAGS += $(YARDSTICKS:%=-Iexercises/%)
+$(BUILD)/tests/unit/test_kernels_yardstick: $(YARDSTICKS:%=$(BUILD)/reference/answers/%.o)
+$(YARDSTICKS:%=$(BUILD)/reference/answers/%.o): CFLAGS += $(YARDSTICKS:%=-Iexercises/%)
 
 unit: $(UNIT_TESTS) $(RUNNERS) ## build and run the unit tests
 	@failed=0; for t in $(UNIT_TESTS); do echo "== $$t"; $$t || failed=1; done; exit $$failed

@@ -1,6 +1,6 @@
 /* meshgrade: the command line. Each command is a file in graders/commands. */
 #include "graders/commands/options.h"
-#include "graders/engine/score.h"
+#include "graders/engine/result/score.h"
 #include "reference/kernels/cpu.h"
 
 #include <errno.h>

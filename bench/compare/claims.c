@@ -1,8 +1,8 @@
 /* The course's claims about meshes and sweeps; see claims.h. */
 #include "bench/compare/claims_rows.h"
 
+#include "reference/base/random.h"
 #include "reference/mesh/check.h"
-#include "reference/mesh/random.h"
 #include "reference/representation/by_faces.h"
 
 #include <math.h>

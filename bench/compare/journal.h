@@ -6,7 +6,7 @@
 #ifndef BENCH_COMPARE_JOURNAL_H
 #define BENCH_COMPARE_JOURNAL_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <jansson.h>
 #include <stdbool.h>

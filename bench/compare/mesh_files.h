@@ -3,7 +3,7 @@
 #ifndef BENCH_COMPARE_MESH_FILES_H
 #define BENCH_COMPARE_MESH_FILES_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 #include "reference/mesh/mesh.h"
 
 enum { MESH_FILE_COUNT = 4 };

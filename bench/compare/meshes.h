@@ -7,7 +7,7 @@
 #ifndef BENCH_COMPARE_MESHES_H
 #define BENCH_COMPARE_MESHES_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 #include "reference/mesh/mesh.h"
 
 #include <stdbool.h>

@@ -4,7 +4,7 @@
 
 #include "bench/compare/meshes.h"
 #include "bench/measure/block.h"
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <limits.h>
 #include <stdbool.h>

@@ -11,7 +11,7 @@
 #ifndef BENCH_COMPARE_SNAPSHOT_H
 #define BENCH_COMPARE_SNAPSHOT_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 #include "reference/mesh/mesh.h"
 
 #include <stddef.h>

@@ -6,7 +6,7 @@
 #include "bench/compare/names.h"
 #include "bench/compare/subject.h"
 
-#include "reference/mesh/random.h"
+#include "reference/base/random.h"
 #include "reference/representation/representation.h"
 
 #include <stdlib.h>

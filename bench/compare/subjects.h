@@ -8,7 +8,7 @@
 #ifndef BENCH_COMPARE_SUBJECTS_H
 #define BENCH_COMPARE_SUBJECTS_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 #ifndef BENCH_MEASURE_BANDWIDTH_H
 #define BENCH_MEASURE_BANDWIDTH_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdint.h>
 

@@ -10,7 +10,7 @@
 #define BENCH_MEASURE_BLOCK_H
 
 #include "bench/measure/worker.h"
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -13,7 +13,7 @@
 #ifndef BENCH_MEASURE_CALLGRIND_H
 #define BENCH_MEASURE_CALLGRIND_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -25,7 +25,7 @@
 #ifndef BENCH_MEASURE_GROWTH_H
 #define BENCH_MEASURE_GROWTH_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -2,7 +2,7 @@
 #ifndef BENCH_MEASURE_PROCESS_H
 #define BENCH_MEASURE_PROCESS_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <sys/types.h>

@@ -19,7 +19,7 @@
 #ifndef BENCH_MEASURE_WORKER_H
 #define BENCH_MEASURE_WORKER_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -13,7 +13,7 @@
 #ifndef GRADERS_BOX_BOX_H
 #define GRADERS_BOX_BOX_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stdint.h>

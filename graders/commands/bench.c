@@ -10,8 +10,8 @@
 #include "bench/compare/run.h"
 #include "bench/compare/subjects.h"
 #include "bench/compare/table.h"
-#include "graders/engine/files.h"
-#include "graders/engine/score.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/result/score.h"
 #include "graders/report/bench/bench_report.h"
 
 #include <limits.h>

@@ -3,7 +3,7 @@
 #include "graders/commands/options.h"
 
 #include "bench/compare/calibrate.h"
-#include "graders/engine/files.h"
+#include "graders/engine/base/files.h"
 
 #include <jansson.h>
 #include <limits.h>

@@ -1,10 +1,10 @@
 /* meshgrade check: a student's own check of one answer. */
 #include "graders/commands/common.h"
 #include "graders/commands/options.h"
+#include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
-#include "graders/engine/files.h"
 #include "graders/judges/table.h"
-#include "graders/plural.h"
+#include "reference/base/plural.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 
 #include "graders/box/box.h"
 #include "graders/commands/options.h"
-#include "graders/engine/files.h"
+#include "graders/engine/base/files.h"
 
 #include <errno.h>
 #include <limits.h>

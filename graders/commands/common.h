@@ -2,9 +2,9 @@
 #ifndef GRADERS_COMMANDS_COMMON_H
 #define GRADERS_COMMANDS_COMMON_H
 
-#include "graders/engine/exercise.h"
+#include "graders/engine/base/exercise.h"
 #include "graders/report/terminal.h"
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <jansson.h>
 #include <stdio.h>

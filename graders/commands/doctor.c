@@ -2,8 +2,8 @@
 #include "graders/box/box.h"
 #include "graders/commands/common.h"
 #include "graders/commands/options.h"
-#include "graders/engine/files.h"
-#include "graders/engine/yardstick.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/run/yardstick.h"
 
 #include <jansson.h>
 #include <stdlib.h>

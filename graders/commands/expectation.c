@@ -1,8 +1,8 @@
 /* Reads what a submission is expected to get; see expectation.h. */
 #include "graders/commands/expectation.h"
 
-#include "graders/engine/files.h"
-#include "graders/engine/verdict.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/base/verdict.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #ifndef GRADERS_COMMANDS_EXPECTATION_H
 #define GRADERS_COMMANDS_EXPECTATION_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <jansson.h>
 #include <stdbool.h>

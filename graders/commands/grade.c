@@ -2,8 +2,8 @@
 #include "graders/commands/common.h"
 #include "graders/commands/options.h"
 #include "graders/commands/publish.h"
+#include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
-#include "graders/engine/files.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* meshgrade list: the exercises. */
 #include "graders/commands/common.h"
 #include "graders/commands/options.h"
-#include "graders/engine/exercise.h"
-#include "graders/engine/files.h"
+#include "graders/engine/base/exercise.h"
+#include "graders/engine/base/files.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -13,10 +13,10 @@ static int print_json(const struct exercise *exercises, int count)
     json_auto_t *list = json_array();
     for (int i = 0; i < count; i++) {
         const struct exercise *e = &exercises[i];
-        json_array_append_new(list, json_pack("{s:s, s:s, s:s, s:{s:s, s:s}, s:f}", "name", e->name,
-                                              "group", e->group, "problem", e->problem, "title",
-                                              "en", e->title.english, "es", e->title.spanish,
-                                              "max_score", e->max_score));
+        json_array_append_new(list,
+                              json_pack("{s:s, s:s, s:s, s:{s:s, s:s}, s:f}", "name", e->name,
+                                        "group", e->group, "problem", e->problem, "title", "en",
+                                        e->title.en, "es", e->title.es, "max_score", e->max_score));
     }
     return print_value(list);
 }
@@ -39,7 +39,7 @@ static int run(int argc, char **argv)
         code = EXIT_FAULT;
     for (int i = 0; i < count && !json; i++)
         printf("%-24s %-8s %4.4g points  %s\n", exercises[i].name, exercises[i].problem,
-               exercises[i].max_score, exercises[i].title.english);
+               exercises[i].max_score, exercises[i].title.en);
     free(exercises);
     return code;
 }

@@ -3,7 +3,7 @@
 
 #include "graders/commands/common.h"
 #include "graders/commands/options.h"
-#include "graders/engine/files.h"
+#include "graders/engine/base/files.h"
 #include "graders/report/report.h"
 
 #include <glob.h>

@@ -2,7 +2,7 @@
 #ifndef GRADERS_COMMANDS_PUBLISH_H
 #define GRADERS_COMMANDS_PUBLISH_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 

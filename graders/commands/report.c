@@ -2,7 +2,7 @@
 #include "graders/commands/common.h"
 #include "graders/commands/options.h"
 #include "graders/commands/publish.h"
-#include "graders/engine/store.h"
+#include "graders/engine/result/store.h"
 
 static int run(int argc, char **argv)
 {

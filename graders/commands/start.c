@@ -1,7 +1,7 @@
 /* meshgrade start: statement, header and starter of an exercise, for a student. */
 #include "graders/commands/options.h"
-#include "graders/engine/exercise.h"
-#include "graders/engine/files.h"
+#include "graders/engine/base/exercise.h"
+#include "graders/engine/base/files.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,8 +4,8 @@
 #include "graders/commands/common.h"
 #include "graders/commands/expectation.h"
 #include "graders/commands/options.h"
+#include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
-#include "graders/engine/files.h"
 
 #include <glob.h>
 #include <stdlib.h>

@@ -10,8 +10,8 @@
 #ifndef GRADERS_ENGINE_CLASSROOM_H
 #define GRADERS_ENGINE_CLASSROOM_H
 
-#include "graders/engine/store.h"
-#include "graders/engine/upload.h"
+#include "graders/engine/result/store.h"
+#include "graders/engine/upload/upload.h"
 
 struct classroom {
     const struct exercise *exercises; /* borrowed */

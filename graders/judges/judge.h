@@ -10,8 +10,8 @@
 #define GRADERS_JUDGES_JUDGE_H
 
 #include "graders/judges/scene.h"
-#include "graders/runner/packet.h"
-#include "reference/mesh/error.h"
+#include "graders/wire/packet.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stddef.h>

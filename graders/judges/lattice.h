@@ -6,7 +6,7 @@
 #ifndef GRADERS_JUDGES_LATTICE_H
 #define GRADERS_JUDGES_LATTICE_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -5,7 +5,7 @@
 #ifndef GRADERS_JUDGES_SCENE_H
 #define GRADERS_JUDGES_SCENE_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 #include "reference/mesh/mesh.h"
 
 #include <jansson.h>

@@ -2,7 +2,7 @@
 #ifndef GRADERS_REPORT_CHECK_H
 #define GRADERS_REPORT_CHECK_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <jansson.h>
 

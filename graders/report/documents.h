@@ -7,7 +7,7 @@
 #ifndef GRADERS_REPORT_DOCUMENTS_H
 #define GRADERS_REPORT_DOCUMENTS_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <jansson.h>
 #include <stdbool.h>

@@ -12,7 +12,7 @@
 #define GRADERS_REPORT_HTML_H
 
 #include "graders/report/words.h"
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <jansson.h>
 #include <stdbool.h>

@@ -1,8 +1,8 @@
 /* What the pages share; see page.h. */
 #include "graders/report/page.h"
 
-#include "graders/plural.h"
 #include "graders/report/documents.h"
+#include "reference/base/plural.h"
 
 #include <string.h>
 #include <unistd.h>

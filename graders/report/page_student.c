@@ -2,8 +2,8 @@
  */
 #include "graders/report/page.h"
 
-#include "graders/plural.h"
 #include "graders/report/results.h"
+#include "reference/base/plural.h"
 
 #include <string.h>
 

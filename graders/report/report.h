@@ -4,7 +4,7 @@
 #ifndef GRADERS_REPORT_REPORT_H
 #define GRADERS_REPORT_REPORT_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #define GRADERS_REPORT_RESULTS_H
 
 #include "graders/report/words.h"
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <jansson.h>
 #include <stdbool.h>

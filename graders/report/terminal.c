@@ -1,10 +1,10 @@
 /* One result on a terminal; see terminal.h. The table of marks is in terminal_marks.c. */
 #include "graders/report/terminal.h"
 
-#include "graders/plural.h"
 #include "graders/report/clean.h"
 #include "graders/report/results.h"
 #include "graders/report/terminal_text.h"
+#include "reference/base/plural.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* The words of reports; see words.h. */
 #include "graders/report/words.h"
 
-#include "graders/plural.h"
+#include "reference/base/plural.h"
 
 #include <math.h>
 #include <stdio.h>

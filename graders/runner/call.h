@@ -13,7 +13,7 @@
 #ifndef GRADERS_RUNNER_CALL_H
 #define GRADERS_RUNNER_CALL_H
 
-#include "graders/runner/packet.h"
+#include "graders/wire/packet.h"
 
 /* The student's function reported, in the exercise's documented way, that memory ran out. Say so
  * instead of writing an answer. */

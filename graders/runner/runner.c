@@ -9,9 +9,9 @@
  * It waits and wakes by futex on the control page. The student's function runs on the ordinary
  * stack; faults are described by a handler on a stack of its own and then take their course. */
 #include "graders/runner/call.h"
-#include "graders/runner/control.h"
 #include "graders/runner/seclude.h"
 #include "graders/runner/shim.h"
+#include "graders/wire/control.h"
 
 #include <errno.h>
 #include <linux/futex.h>

@@ -1,7 +1,7 @@
 /* Before the first call; see seclude.h. */
 #include "graders/runner/seclude.h"
 
-#include "graders/runner/control.h"
+#include "graders/wire/control.h"
 
 #include <linux/filter.h>
 #include <linux/seccomp.h>

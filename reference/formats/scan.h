@@ -5,7 +5,7 @@
 #ifndef REFERENCE_FORMATS_SCAN_H
 #define REFERENCE_FORMATS_SCAN_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <locale.h>
 #include <stdbool.h>

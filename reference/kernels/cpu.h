@@ -11,7 +11,7 @@
 #ifndef REFERENCE_KERNELS_CPU_H
 #define REFERENCE_KERNELS_CPU_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 

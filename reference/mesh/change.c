@@ -1,7 +1,7 @@
 /* Changes of order, numbering and place: the same elements, harder to handle. See generate.h. */
 #include "reference/mesh/generate.h"
 
-#include "reference/mesh/random.h"
+#include "reference/base/random.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Changes that add and remove elements: what broken files are made of. See generate.h. */
 #include "reference/mesh/generate.h"
 
-#include "reference/mesh/random.h"
+#include "reference/base/random.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* Surfaces by formula: open sheets and closed bodies without handles. See generate.h. */
 #include "reference/mesh/generate.h"
 
+#include "reference/base/random.h"
 #include "reference/mesh/builder.h"
 #include "reference/mesh/circle.h"
-#include "reference/mesh/random.h"
 
 /* Refuses a size out of its range; also what keeps the products of two sizes within int64. */
 static int check_size(const char *what, int64_t value, int64_t least, struct error *err)

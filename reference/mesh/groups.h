@@ -2,7 +2,7 @@
 #ifndef REFERENCE_MESH_GROUPS_H
 #define REFERENCE_MESH_GROUPS_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stdint.h>

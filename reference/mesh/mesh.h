@@ -9,7 +9,7 @@
 #ifndef REFERENCE_MESH_MESH_H
 #define REFERENCE_MESH_MESH_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdint.h>
 

@@ -2,7 +2,7 @@
 #ifndef REFERENCE_REPRESENTATION_BOUNDARY_CHAIN_H
 #define REFERENCE_REPRESENTATION_BOUNDARY_CHAIN_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
 #ifndef REFERENCE_REPRESENTATION_SMOOTHER_H
 #define REFERENCE_REPRESENTATION_SMOOTHER_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdint.h>
 

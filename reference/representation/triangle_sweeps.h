@@ -3,7 +3,7 @@
 #ifndef REFERENCE_REPRESENTATION_TRIANGLE_SWEEPS_H
 #define REFERENCE_REPRESENTATION_TRIANGLE_SWEEPS_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -3,7 +3,7 @@
 #ifndef REFERENCE_REPRESENTATION_TWO_SIDED_EDGES_H
 #define REFERENCE_REPRESENTATION_TWO_SIDED_EDGES_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -4,7 +4,7 @@
 #ifndef REFERENCE_REPRESENTATION_VERTEX_WALK_H
 #define REFERENCE_REPRESENTATION_VERTEX_WALK_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 #include "reference/representation/vector.h"
 
 #include <stdbool.h>

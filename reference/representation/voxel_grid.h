@@ -24,7 +24,7 @@
 #ifndef REFERENCE_REPRESENTATION_VOXEL_GRID_H
 #define REFERENCE_REPRESENTATION_VOXEL_GRID_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,10 +1,10 @@
 /* Any bytes as an uploaded archive: no crash, no path that leaves the bundle, and no file that
  * breaks the promises about names and sizes. The whole way from the archive to submissions is
  * taken. */
-#include "graders/engine/archive.h"
-#include "graders/engine/names.h"
-#include "graders/engine/upload.h"
-#include "graders/engine/upload_students.h"
+#include "graders/engine/upload/archive.h"
+#include "graders/engine/upload/names.h"
+#include "graders/engine/upload/students.h"
+#include "graders/engine/upload/upload.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Any bytes as an exercise.json: refused with the file's name, or points and sizes within their
  * bounds and names that can stand in paths and scripts. */
-#include "graders/engine/exercise.h"
+#include "graders/engine/base/exercise.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Any bytes as machine code: instructions of 1 to 15 bytes within the text, and none that is
  * shorter or longer when more bytes follow it. */
-#include "graders/engine/instruction.h"
+#include "graders/engine/build/instruction.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Any bytes as preprocessed text: no crash, a refusal always says why, and what is refused stays
  * refused when harmless text follows it. */
-#include "graders/engine/policy.h"
+#include "graders/engine/build/policy.h"
 
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Any bytes as an object file, and as preprocessed text: no crash, and a refusal always says why.
  */
-#include "graders/engine/policy.h"
-#include "graders/engine/screen.h"
+#include "graders/engine/build/policy.h"
+#include "graders/engine/build/screen.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Any bytes as a class's store: refused with the remedy, or the results in it are whole ones that
  * meshgrade sealed. */
-#include "graders/engine/files.h"
-#include "graders/engine/store.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/result/store.h"
 
 #include <limits.h>
 #include <stdint.h>

@@ -9,9 +9,9 @@
  * would the variation fail it?
  *
  *   known [EXERCISE [BASE]]     run from anywhere below the project */
-#include "graders/engine/files.h"
-#include "graders/engine/trial.h"
-#include "reference/mesh/random.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/run/trial.h"
+#include "reference/base/random.h"
 
 #include <math.h>
 #include <stdio.h>

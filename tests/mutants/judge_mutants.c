@@ -6,8 +6,8 @@
  * With "quick" only the cases are run, and nothing is measured. Prints a line a file, in no order:
  * the file, a tab, the verdict, a tab, what decided. Exit code 2: the harness failed (a mutant
  * whose grading failed is a line "fault"). */
-#include "graders/engine/files.h"
-#include "graders/engine/trial.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/run/trial.h"
 
 #include <signal.h>
 #include <stdio.h>

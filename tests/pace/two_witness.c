@@ -12,8 +12,8 @@
  *   two_witness [DECISIONS [BUSY]]     defaults 1000 and twice the number of cores
  *
  * Prints a table in Markdown; exits 1 when a decision at 0.7 or 1.5 was wrong. */
-#include "graders/engine/files.h"
-#include "graders/engine/pace.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/run/pace.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -136,7 +136,8 @@ static int build_repeated(const struct subject *subject, const struct exercise *
     snprintf(function, sizeof function, "%s", exercise->name);
     for (char *c = function; *c; c++)
         *c = *c == '-' ? '_' : *c;
-    snprintf(path, sizeof path, "%s/reference/%s/%s.c", root, exercise->group, exercise->name);
+    snprintf(path, sizeof path, "%s/reference/answers/%s/%s.c", root, exercise->group,
+             exercise->name);
     if (file_read(path, 1 << 20, &reference, &bytes, err) != 0)
         return -1;
     int result = -1;

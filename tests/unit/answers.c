@@ -1,7 +1,7 @@
 /* Answers of any bytes; see answers.h. */
 #include "tests/unit/answers.h"
 
-#include "reference/mesh/random.h"
+#include "reference/base/random.h"
 #include "tests/unit/submissions.h"
 
 #include <setjmp.h>
@@ -102,7 +102,7 @@ void answers_fuzz(const struct judge *judge, const char *group, int rounds)
 {
     char source[256];
     struct submission reference;
-    snprintf(source, sizeof source, "reference/%s/%s.c", group, judge->exercise);
+    snprintf(source, sizeof source, "reference/answers/%s/%s.c", group, judge->exercise);
     submission_build(&reference, group, judge->exercise, source);
     for (size_t i = 0; i < judge->case_count; i++) {
         struct writer input = writer_growing();

@@ -1,7 +1,7 @@
 /* Checks that the tests of the file formats share; see format_checks.h. */
 #include "tests/unit/format_checks.h"
 
-#include "reference/mesh/random.h"
+#include "reference/base/random.h"
 #include "tests/unit/mesh_measures.h"
 
 #include <math.h>

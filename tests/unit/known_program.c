@@ -1,7 +1,7 @@
 /* See known_program.h. */
 #include "tests/unit/known_program.h"
 
-#include "graders/engine/files.h"
+#include "graders/engine/base/files.h"
 
 #include <fcntl.h>
 #include <setjmp.h>

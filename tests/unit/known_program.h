@@ -5,8 +5,8 @@
 
 #include <limits.h>
 
-#include "graders/engine/region.h"
-#include "graders/engine/session.h"
+#include "graders/engine/run/region.h"
+#include "graders/engine/run/session.h"
 
 struct known_program {
     char folder[PATH_MAX]; /* of its own, below the folder for work */

@@ -1,8 +1,8 @@
 /* Plain measures of meshes; see mesh_measures.h. */
 #include "tests/unit/mesh_measures.h"
 
+#include "reference/base/random.h"
 #include "reference/mesh/generate.h"
-#include "reference/mesh/random.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Compiling and running known submissions; see submissions.h. */
 #include "tests/unit/submissions.h"
 
-#include "graders/runner/control.h"
+#include "graders/wire/control.h"
 
 #include <fcntl.h>
 #include <linux/futex.h>

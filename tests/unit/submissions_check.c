@@ -318,7 +318,8 @@ static void check_own_answers(struct check *check)
     if (!(outcome.failed & 1))
         complain(check, "the starter passes the first class");
     submission_release(&submission);
-    snprintf(source, sizeof source, "reference/%s/%s.c", check->group, check->judge->exercise);
+    snprintf(source, sizeof source, "reference/answers/%s/%s.c", check->group,
+             check->judge->exercise);
     check_source(check, "right", source);
     submission_build(&submission, check->group, check->judge->exercise, source);
     check_sizes(check, &submission);

@@ -1,5 +1,5 @@
 /* How a program's death is told: by what it did, or as a fault when it was not its doing. */
-#include "graders/engine/attempt.h"
+#include "graders/engine/run/attempt.h"
 
 #include <setjmp.h>
 #include <signal.h>

@@ -1,7 +1,7 @@
 /* Medians and sign-test intervals: known inputs, known intervals; coverage by simulation. */
 #include "bench/measure/interval.h"
 
-#include "reference/mesh/random.h"
+#include "reference/base/random.h"
 
 #include <math.h>
 #include <setjmp.h>

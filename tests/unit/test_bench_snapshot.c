@@ -1,8 +1,8 @@
 /* Mesh snapshots: what was written is read; every damage is refused. The meshes by name. */
 #include "bench/compare/meshes.h"
 #include "bench/compare/snapshot.h"
+#include "reference/base/random.h"
 #include "reference/mesh/generate.h"
-#include "reference/mesh/random.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* What a bundle does when it is full. */
-#include "graders/engine/bundle.h"
+#include "graders/engine/upload/bundle.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

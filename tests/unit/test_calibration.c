@@ -1,8 +1,8 @@
 /* Is memory measured right? Known allocations of every kind, against each method that can see them:
  * the shim (heap, to the byte), the painted stack, the object's sections, and the resident peak
  * that the engine reads from outside, which sees all kinds, also memory mapped past malloc. */
-#include "graders/engine/attempt.h"
-#include "graders/engine/files.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/run/attempt.h"
 #include "tests/unit/known_program.h"
 
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* The stream of callgrind's dumps: what is exactly as it must be is taken, anything else is not. */
-#include "graders/engine/dumps.h"
-#include "graders/engine/files.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/run/dumps.h"
 
 #include <fcntl.h>
 #include <limits.h>

@@ -1,9 +1,9 @@
 /* Edits of half edges and winged edges: random sequences of splits, flips and collapses on both at
  * once, against the same changes made to a list of triangles. What can be done is exactly what
  * keeps the surface a manifold of the same shape. */
+#include "reference/base/random.h"
 #include "reference/mesh/check.h"
 #include "reference/mesh/generate.h"
-#include "reference/mesh/random.h"
 #include "reference/representation/half_edge_edit.h"
 #include "reference/representation/winged_edge_edit.h"
 

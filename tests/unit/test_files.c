@@ -1,5 +1,5 @@
 /* Opening what hostile code may have made. */
-#include "graders/engine/files.h"
+#include "graders/engine/base/files.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

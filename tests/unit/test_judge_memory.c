@@ -1,7 +1,7 @@
 /* The judges of the memory exercises: known submissions, what they must accept in any order, what
  * they must never accept, and answers of any bytes. */
 #include "graders/judges/judge.h"
-#include "reference/mesh/random.h"
+#include "reference/base/random.h"
 #include "tests/unit/answers.h"
 #include "tests/unit/submissions.h"
 
@@ -55,7 +55,7 @@ static void sample_take(struct sample *sample, const struct judge *judge, const 
         i++;
     assert_true(i < judge->case_count);
     assert_int_equal(judge->make(&judge->cases[i], "exercises/models", &sample->input, &err), 0);
-    snprintf(source, sizeof source, "reference/memory/%s.c", judge->exercise);
+    snprintf(source, sizeof source, "reference/answers/memory/%s.c", judge->exercise);
     submission_build(&reference, "memory", judge->exercise, source);
     struct span input = {sample->input.bytes, sample->input.count};
     submission_run(&reference, input, judge->answer_bound(input), 0, &sample->answer);

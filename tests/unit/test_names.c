@@ -1,5 +1,5 @@
 /* Names that students chose, as folders and as text. */
-#include "graders/engine/names.h"
+#include "graders/engine/upload/names.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,8 +1,8 @@
 /* The fast numbers of the readers are those of the C library, bit for bit, wherever they give one.
  */
+#include "reference/base/random.h"
 #include "reference/formats/number.h"
 #include "reference/formats/scan.h"
-#include "reference/mesh/random.h"
 
 #include <inttypes.h>
 #include <setjmp.h>

@@ -1,5 +1,5 @@
 /* The policy on preprocessed text: what gcc -E makes of honest and of tricky sources. */
-#include "graders/engine/policy.h"
+#include "graders/engine/build/policy.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* Seeded randomness and the points of a circle. */
+#include "reference/base/random.h"
 #include "reference/mesh/circle.h"
-#include "reference/mesh/random.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* The screen of object files: real ones from gcc, then damaged ones. */
-#include "graders/engine/instruction.h"
-#include "graders/engine/screen.h"
+#include "graders/engine/build/instruction.h"
+#include "graders/engine/build/screen.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

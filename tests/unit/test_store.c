@@ -1,7 +1,7 @@
 /* The store of a class: results come back as they were put, and a damaged store never gives a
  * different one. */
-#include "graders/engine/files.h"
-#include "graders/engine/store.h"
+#include "graders/engine/base/files.h"
+#include "graders/engine/result/store.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* From paths to submissions: every layout, every archive, and what hostile ones try. */
-#include "graders/engine/archive.h"
-#include "graders/engine/upload.h"
+#include "graders/engine/upload/archive.h"
+#include "graders/engine/upload/upload.h"
 #include "tests/unit/upload_scene.h"
 
 #include <archive.h>

@@ -1,5 +1,5 @@
 /* A whole class in one archive: nobody pays for what another packed. */
-#include "graders/engine/upload.h"
+#include "graders/engine/upload/upload.h"
 #include "tests/unit/upload_scene.h"
 
 #include <setjmp.h>

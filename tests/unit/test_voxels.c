@@ -1,5 +1,5 @@
 /* Voxel grids and octrees of the sphere. */
-#include "reference/mesh/random.h"
+#include "reference/base/random.h"
 #include "reference/representation/octree.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Every cause that the engine and the judges name in their sources has a Spanish text. */
-#include "graders/engine/files.h"
+#include "graders/engine/base/files.h"
 #include "graders/report/words.h"
 
 #include <glob.h>
@@ -21,8 +21,8 @@ static const char *const patterns[] = {
     "judge_reject\\([^\";]*,[[:space:]]*\"([a-z][a-z0-9-]*[a-z0-9])\"",
     "cause = \"([a-z][a-z0-9-]*[a-z0-9])\"",
 };
-static const char *const sources[] = {"graders/engine/*.c", "graders/judges/*.c",
-                                      "graders/judges/*/*.c"};
+static const char *const sources[] = {"graders/engine/*.c", "graders/engine/*/*.c",
+                                      "graders/judges/*.c", "graders/judges/*/*.c"};
 
 /* Looks the causes up that one pattern finds in one file. Returns how many. */
 static int look_up(const char *text, const char *pattern, int *missing)

@@ -1,8 +1,8 @@
 /* Scenes for the tests of uploads; see upload_scene.h. */
 #include "tests/unit/upload_scene.h"
 
-#include "graders/engine/archive.h"
-#include "graders/engine/upload.h"
+#include "graders/engine/upload/archive.h"
+#include "graders/engine/upload/upload.h"
 
 #include <archive.h>
 #include <archive_entry.h>

@@ -2,7 +2,7 @@
 #ifndef GRADERS_REPORT_BENCH_BENCH_REPORT_H
 #define GRADERS_REPORT_BENCH_BENCH_REPORT_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <stddef.h>
 

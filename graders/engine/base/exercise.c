@@ -1,0 +1,294 @@
+/* Reads exercise.json; see exercise.h. A reader of its own names the key at fault, which
+ * json_unpack cannot. */
+#include "graders/engine/base/exercise.h"
+
+#include "graders/engine/base/files.h"
+
+#include <glob.h>
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FILE_LIMIT_BYTES = 1 << 20 };
+
+static const struct {
+    const char *name, *english, *spanish;
+} checks[CHECK_COUNT] = {
+    [CHECK_UNDEFINED_BEHAVIOUR] = {"undefined-behaviour", "No undefined behaviour",
+                                   "Sin comportamiento indefinido"},
+    [CHECK_LEAK] = {"leak", "Frees what it allocates", "Libera lo que reserva"},
+    [CHECK_GROWTH] = {"growth", "Growth of the work", "Crecimiento del trabajo"},
+    [CHECK_WORK] = {"work", "Amount of work", "Cantidad de trabajo"},
+    [CHECK_MEMORY] = {"memory", "Peak of memory", "Máximo de memoria"},
+    [CHECK_ALLOCATION_FAILURE] = {"allocation-failure", "Reports that memory ran out",
+                                  "Avisa si falta memoria"},
+};
+
+const char *check_name(enum check_kind check)
+{
+    return checks[check].name;
+}
+
+const char *check_title_english(enum check_kind check)
+{
+    return checks[check].english;
+}
+
+const char *check_title_spanish(enum check_kind check)
+{
+    return checks[check].spanish;
+}
+
+/* ------------------------------------------------------------ typed access */
+
+/* Where we are in the file; the first error sticks. */
+struct place {
+    const char *file;
+    struct error *err;
+    bool failed;
+};
+
+static void complain(struct place *place, const char *key, const char *expected)
+{
+    if (!place->failed)
+        error_set(place->err, "%s: %s: expected %s", place->file, key, expected);
+    place->failed = true;
+}
+
+static void get_text(struct place *place, const json_t *object, const char *key, char *text,
+                     size_t capacity)
+{
+    const char *value = json_string_value(json_object_get(object, key));
+    if (!value || strlen(value) >= capacity)
+        complain(place, key, "a short text");
+    else
+        strcpy(text, value);
+}
+
+static double get_number(struct place *place, const json_t *object, const char *key, double low,
+                         double high)
+{
+    const json_t *value = json_object_get(object, key);
+    double number = json_number_value(value);
+    if (!json_is_number(value) || !(number >= low && number <= high)) {
+        char expected[80];
+        snprintf(expected, sizeof expected, "a number from %g to %g", low, high);
+        complain(place, key, expected);
+        return low; /* callers convert it before they look whether anything failed */
+    }
+    return number;
+}
+
+static void get_phrase(struct place *place, const json_t *object, const char *key,
+                       struct message *phrase)
+{
+    const json_t *value = json_object_get(object, key);
+    if (!json_is_object(value)) {
+        complain(place, key, "an object with the texts \"en\" and \"es\"");
+        return;
+    }
+    get_text(place, value, "en", phrase->en, sizeof phrase->en);
+    get_text(place, value, "es", phrase->es, sizeof phrase->es);
+}
+
+/* Every key must be among `known`, a list of words with a space around each. */
+static void refuse_unknown_keys(struct place *place, json_t *object, const char *known)
+{
+    const char *key;
+    json_t *value;
+    json_object_foreach(object, key, value)
+    {
+        char word[80];
+        snprintf(word, sizeof word, " %.70s ", key);
+        if (!strstr(known, word))
+            complain(place, key, "no such key; remove it or correct its name");
+    }
+}
+
+/* ------------------------------------------------------------------- parts */
+
+/* The names stand in the build's shell script: nothing but C's identifiers may. */
+static bool is_identifier(const char *name)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    return *name && strchr(letters, *name) &&
+           name[strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789")] ==
+               '\0';
+}
+
+static void read_functions(struct place *place, const json_t *root, struct exercise *exercise)
+{
+    const json_t *functions = json_object_get(root, "functions");
+    size_t count = json_array_size(functions);
+    if (count < 1 || count > EXERCISE_FUNCTIONS) {
+        complain(place, "functions", "a list of 1 to 12 function names");
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const char *name = json_string_value(json_array_get(functions, i));
+        if (!name || strlen(name) >= EXERCISE_NAME || !is_identifier(name))
+            complain(place, "functions", "names of functions");
+        else
+            strcpy(exercise->functions[exercise->function_count++], name);
+    }
+}
+
+static void read_classes(struct place *place, const json_t *root, struct exercise *exercise)
+{
+    json_t *classes = json_object_get(root, "classes");
+    size_t count = json_array_size(classes);
+    if (count < 1 || count > EXERCISE_CLASSES) {
+        complain(place, "classes", "a list of 1 to 24 classes");
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        json_t *entry = json_array_get(classes, i);
+        struct exercise_class *class = &exercise->classes[exercise->class_count++];
+        refuse_unknown_keys(place, entry, " name title points ");
+        get_text(place, entry, "name", class->name, sizeof class->name);
+        get_phrase(place, entry, "title", &class->title);
+        class->points = get_number(place, entry, "points", 0, 10);
+        exercise->max_score += class->points;
+    }
+}
+
+static json_t *read_check(struct place *place, const json_t *root, struct exercise *exercise,
+                          enum check_kind check, const char *known)
+{
+    json_t *entry = json_object_get(root, check_name(check));
+    if (!entry)
+        return NULL;
+    if (!json_is_object(entry)) {
+        complain(place, check_name(check), "an object with \"points\"");
+        return NULL;
+    }
+    refuse_unknown_keys(place, entry, known);
+    exercise->checked[check] = true;
+    exercise->check_points[check] = get_number(place, entry, "points", 0, 10);
+    exercise->max_score += exercise->check_points[check];
+    return entry;
+}
+
+static void read_checks(struct place *place, const json_t *root, struct exercise *exercise)
+{
+    json_t *growth = read_check(place, root, exercise, CHECK_GROWTH,
+                                " points allowed element first_size doublings ");
+    if (growth) {
+        get_text(place, growth, "allowed", exercise->growth_allowed,
+                 sizeof exercise->growth_allowed);
+        get_phrase(place, growth, "element", &exercise->growth_element);
+        exercise->growth_first_size = (int64_t)get_number(place, growth, "first_size", 1, 1e6);
+        exercise->growth_doublings = (int)get_number(place, growth, "doublings", 4, 12);
+    }
+    json_t *work = read_check(place, root, exercise, CHECK_WORK, " points band ");
+    if (work)
+        exercise->work_band = get_number(place, work, "band", 1, 1e6);
+    json_t *memory = read_check(place, root, exercise, CHECK_MEMORY, " points band ");
+    if (memory)
+        exercise->memory_band = get_number(place, memory, "band", 1, 1e6);
+    if ((work || memory) && !growth)
+        complain(place, "work", "\"growth\" too: both are measured at its sizes");
+    read_check(place, root, exercise, CHECK_LEAK, " points ");
+    read_check(place, root, exercise, CHECK_UNDEFINED_BEHAVIOUR, " points ");
+    read_check(place, root, exercise, CHECK_ALLOCATION_FAILURE, " points ");
+}
+
+static void read_root(struct place *place, json_t *root, struct exercise *exercise)
+{
+    refuse_unknown_keys(place, root,
+                        " name group order problem title functions classes growth work memory leak "
+                        "undefined-behaviour allocation-failure limits ");
+    get_text(place, root, "name", exercise->name, sizeof exercise->name);
+    get_text(place, root, "group", exercise->group, sizeof exercise->group);
+    get_text(place, root, "problem", exercise->problem, sizeof exercise->problem);
+    get_phrase(place, root, "title", &exercise->title);
+    exercise->order = (int)get_number(place, root, "order", 0, 1e6);
+    read_functions(place, root, exercise);
+    read_classes(place, root, exercise);
+    read_checks(place, root, exercise);
+    json_t *limits = json_object_get(root, "limits");
+    exercise->memory_limit_bytes = (int64_t)256 << 20;
+    if (limits) {
+        refuse_unknown_keys(place, limits, " memory_megabytes ");
+        exercise->memory_limit_bytes =
+            (int64_t)get_number(place, limits, "memory_megabytes", 1, 4096) << 20;
+    }
+}
+
+int exercise_parse(const char *text, size_t count, const char *path, struct exercise *exercise,
+                   struct error *err)
+{
+    json_error_t problem;
+    memset(exercise, 0, sizeof *exercise);
+    snprintf(exercise->folder, sizeof exercise->folder, "%s", path);
+    char *slash = strrchr(exercise->folder, '/');
+    if (!slash)
+        return error_set(err, "%s: is in no folder", path);
+    *slash = '\0';
+    json_auto_t *root = json_loadb(text, count, JSON_REJECT_DUPLICATES, &problem);
+    if (!root)
+        return error_set(err, "%s:%d: %s", path, problem.line, problem.text);
+    struct place place = {.file = path, .err = err};
+    read_root(&place, root, exercise);
+    const char *last = strrchr(exercise->folder, '/');
+    if (!place.failed && strcmp(last ? last + 1 : exercise->folder, exercise->name) != 0)
+        complain(&place, "name", "the name of the folder");
+    return place.failed ? -1 : 0;
+}
+
+int exercise_read(const char *folder, struct exercise *exercise, struct error *err)
+{
+    char path[PATH_MAX], *text;
+    size_t count;
+    if (snprintf(path, sizeof path, "%s/exercise.json", folder) >= (int)sizeof path)
+        return error_set(err, "%s: the path is too long", folder);
+    if (file_read(path, FILE_LIMIT_BYTES, &text, &count, err) != 0)
+        return -1;
+    int result = exercise_parse(text, count, path, exercise, err);
+    free(text);
+    return result;
+}
+
+static int by_order(const void *a, const void *b)
+{
+    const struct exercise *x = a, *y = b;
+    return x->order != y->order ? (x->order > y->order) - (x->order < y->order)
+                                : strcmp(x->name, y->name);
+}
+
+int exercises_read(const char *root, struct exercise **exercises, int *count, struct error *err)
+{
+    char pattern[PATH_MAX];
+    glob_t found;
+    snprintf(pattern, sizeof pattern, "%s/exercises/*/*/exercise.json", root);
+    if (glob(pattern, 0, NULL, &found) != 0)
+        return error_set(err, "%s: no exercise found", pattern);
+    struct exercise *list = calloc(found.gl_pathc, sizeof *list);
+    if (!list) {
+        globfree(&found);
+        return error_set(err, "out of memory");
+    }
+    int result = 0;
+    for (size_t i = 0; i < found.gl_pathc && result == 0; i++) {
+        *strrchr(found.gl_pathv[i], '/') = '\0';
+        result = exercise_read(found.gl_pathv[i], &list[i], err);
+    }
+    if (result == 0) {
+        qsort(list, found.gl_pathc, sizeof *list, by_order);
+        *exercises = list;
+        *count = (int)found.gl_pathc;
+    } else {
+        free(list);
+    }
+    globfree(&found);
+    return result;
+}
+
+const struct exercise *exercise_find(const struct exercise *exercises, int count, const char *name)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(exercises[i].name, name) == 0)
+            return &exercises[i];
+    return NULL;
+}

@@ -1,0 +1,392 @@
+/* Compiles, screens and links a submission; see build.h. */
+#include "graders/engine/build/build.h"
+
+#include "graders/engine/base/files.h"
+#include "graders/engine/build/policy.h"
+#include "graders/engine/build/screen.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/sendfile.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum {
+    CPU_SECONDS = 15,
+    WALL_MS = 300000, /* a compiler waits for nothing but the machine: beyond it, a fault */
+    FILE_LIMIT_BYTES = 16 << 20,
+    MEMORY_LIMIT_BYTES = 1 << 30,
+    STATIC_LIMIT_BYTES = 16 << 20,
+    SCRIPT_BYTES = 16384
+};
+
+/* Exit codes of the build script: the stage that failed, or that the tools fail on any program. */
+enum { STAGE_PREPROCESS = 10, STAGE_COMPILE = 11, STAGE_LINK = 12, STAGE_TOOLS = 13 };
+
+static const char *const program_names[PROGRAM_COUNT] = {"plain", "sanitized", "checked"};
+
+/* The same for submission and reference. x86-64-v2: what valgrind can run everywhere. */
+#define COMMON_FLAGS                                                                               \
+    "-std=gnu17 -march=x86-64-v2 -g -Wall -Wextra -fmax-errors=20 -fdiagnostics-color=never "      \
+    "-fno-lto -ffp-contract=off -fmax-include-depth=32"
+#define PLAIN_FLAGS "-O2"
+#define SANITIZED_FLAGS                                                                            \
+    "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
+/* The names that graders/runner/shim.c defines. */
+#define WRAPPED                                                                                    \
+    "-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free,--wrap=aligned_alloc,"             \
+    "--wrap=posix_memalign,--wrap=memalign,--wrap=valloc"
+
+/* ------------------------------------------------------------------ folder */
+
+static int write_sources(const struct exercise *exercise, const struct source *sources, int count,
+                         const char *folder, struct error *err)
+{
+    char from[PATH_MAX + 128], to[PATH_MAX + 128], header[EXERCISE_NAME + 4];
+    char *bytes;
+    size_t byte_count;
+    snprintf(header, sizeof header, "%s.h", exercise->name);
+    for (int i = 0; i < count; i++) {
+        snprintf(to, sizeof to, "%s/%s", folder, sources[i].name);
+        if (file_write(to, sources[i].bytes, sources[i].count, err) != 0)
+            return -1;
+    }
+    snprintf(from, sizeof from, "%s/%s", exercise->folder, header);
+    snprintf(to, sizeof to, "%s/%s", folder, header); /* after the sources: ours wins */
+    if (file_read(from, 1 << 20, &bytes, &byte_count, err) != 0)
+        return -1;
+    int result = file_write(to, bytes, byte_count, err);
+    free(bytes);
+    return result;
+}
+
+static int copy_runners(const struct exercise *exercise, const char *folder, struct error *err)
+{
+    const char *root = project_root(err);
+    for (int kind = 0; root && kind < PROGRAM_COUNT; kind++) {
+        char from[PATH_MAX + 128], to[PATH_MAX + 128];
+        char *bytes;
+        size_t count;
+        snprintf(from, sizeof from, "%s/build/runner/%s.%s.o", root, exercise->name,
+                 program_names[kind]);
+        snprintf(to, sizeof to, "%s/runner-%s.o", folder, program_names[kind]);
+        if (file_read(from, 16 << 20, &bytes, &count, err) != 0)
+            return -1;
+        int result = file_write(to, bytes, count, err);
+        free(bytes);
+        if (result != 0)
+            return -1;
+    }
+    return root ? 0 : -1;
+}
+
+/* ------------------------------------------------------------------ script */
+
+struct script {
+    char text[SCRIPT_BYTES];
+    size_t count;
+};
+
+__attribute__((format(printf, 2, 3))) static void add(struct script *script, const char *format,
+                                                      ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    int added = vsnprintf(script->text + script->count, sizeof script->text - script->count, format,
+                          arguments);
+    va_end(arguments);
+    if (added > 0 && script->count + (size_t)added < sizeof script->text)
+        script->count += (size_t)added;
+}
+
+/* A failed stage is the submission's fault only if the same tools can build another program in the
+ * same folder: else the disk is full, or a part of the compiler is missing. */
+static void add_probe(struct script *script)
+{
+    add(script,
+        "fail() {\n"
+        "echo 'int main(void) { return 0; }' >.probe.c && gcc -static .probe.c -lm -o .probe && "
+        "objcopy .probe .probed && gcc -fsanitize=address,undefined .probe.c -lm -o .probe && "
+        "exit $1\n"
+        "exit %d\n"
+        "}\n",
+        STAGE_TOOLS);
+}
+
+static bool is_c_file(const char *name)
+{
+    size_t length = strlen(name);
+    return length > 2 && strcmp(name + length - 2, ".c") == 0;
+}
+
+static void write_script(const struct exercise *exercise, const struct source *sources, int count,
+                         struct script *script)
+{
+    char objects[2][1024] = {"", ""};
+    add_probe(script);
+    for (int i = 0; i < count; i++) {
+        if (!is_c_file(sources[i].name))
+            continue;
+        add(script, "gcc " COMMON_FLAGS " -fno-working-directory -I. -E %s -o %d.i || fail %d\n",
+            sources[i].name, i, STAGE_PREPROCESS);
+        add(script,
+            "gcc " COMMON_FLAGS " " PLAIN_FLAGS " -fpreprocessed -c %d.i -o %d.o || fail %d\n", i,
+            i, STAGE_COMPILE);
+        add(script,
+            "gcc " COMMON_FLAGS " " SANITIZED_FLAGS
+            " -w -fpreprocessed -c %d.i -o %d.s.o || fail %d\n",
+            i, i, STAGE_COMPILE);
+        size_t used = strlen(objects[0]), used_s = strlen(objects[1]);
+        snprintf(objects[0] + used, sizeof objects[0] - used, " %d.o", i);
+        snprintf(objects[1] + used_s, sizeof objects[1] - used_s, " %d.s.o", i);
+    }
+    add(script, "ld -r%s -o all.o && ld -r%s -o all.s.o || fail %d\n", objects[0], objects[1],
+        STAGE_LINK);
+    add(script, "for o in all all.s; do objcopy");
+    for (int i = 0; i < exercise->function_count; i++)
+        add(script, " --keep-global-symbol=%s", exercise->functions[i]);
+    add(script, " $o.o $o.kept.o || fail %d; done\n", STAGE_LINK);
+    add(script,
+        "gcc -static " WRAPPED " runner-plain.o all.kept.o -lm -o plain && "
+        "gcc -fsanitize=address,undefined runner-sanitized.o all.s.kept.o -lm -o sanitized && "
+        "gcc runner-checked.o all.kept.o -lm -o checked || fail %d\n",
+        STAGE_LINK);
+}
+
+/* ------------------------------------------------------------------- build */
+
+static int run_script(struct build *build, const char *text, struct box_outcome *outcome,
+                      struct error *err)
+{
+    char *script = strdup(text);
+    char shell[] = "/bin/sh", option[] = "-c";
+    char *argv[] = {shell, option, script, NULL};
+    int output = memfd_create("diagnostics", MFD_CLOEXEC);
+    struct box_plan plan = {
+        .profile = BOX_BUILD,
+        .argv = argv,
+        .program_fd = -1,
+        .writable = build->folder,
+        .input_fd = -1,
+        .output_fd = output,
+        .error_fd = output,
+        .memory_bytes = MEMORY_LIMIT_BYTES,
+        .file_bytes = FILE_LIMIT_BYTES,
+        .scratch_bytes = 64 << 20,
+        .stack_bytes = 64 << 20,
+        .cpu_seconds = CPU_SECONDS,
+        .wall_ms = WALL_MS,
+        .process_count = 32,
+        .cpu = -1,
+    };
+    int result = -1;
+    if (!script || output < 0)
+        error_set(err, "build: %s", strerror(errno));
+    else
+        result = box_run(&plan, outcome, err);
+    if (result == 0) {
+        ssize_t count = pread(output, build->diagnostics, sizeof build->diagnostics - 1, 0);
+        build->diagnostics[count > 0 ? count : 0] = '\0';
+        build->active_layers = outcome->active;
+    }
+    if (output >= 0)
+        close(output);
+    free(script);
+    return result;
+}
+
+/* What is no doing of the submission. */
+static int find_fault(const struct build *build, const struct box_outcome *outcome,
+                      struct error *err)
+{
+    if (outcome->end == BOX_ENDED_LOST)
+        return error_set(err, "build box: its own process vanished");
+    if (outcome->end == BOX_ENDED_SIGNAL)
+        return error_set(err, "build box: the shell was killed by signal %d; is memory short?",
+                         outcome->signal);
+    if (outcome->end == BOX_ENDED_KILLED)
+        return error_set(err, "build box: not done after %d s; the machine is overloaded",
+                         WALL_MS / 1000);
+    if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == STAGE_TOOLS)
+        return error_set(err,
+                         "build box: the compiler fails on any program: free some space in "
+                         "TMPDIR, or run make deps: %.300s",
+                         build->diagnostics);
+    return 0;
+}
+
+/* What the outcome of the script means for the submission. Returns 0, or -1: a fault. */
+static int judge_outcome(struct build *build, const struct box_outcome *outcome, struct error *err)
+{
+    struct refusal *refusal = &build->refusal;
+    if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == 0)
+        return 0;
+    if (find_fault(build, outcome, err) != 0)
+        return -1;
+    if (outcome->end == BOX_ENDED_MEMORY)
+        refuse(refusal, "compiler-memory", "The compiler needed more than %d GB of memory.",
+               "El compilador necesitó más de %d GB de memoria.", MEMORY_LIMIT_BYTES >> 30);
+    else if (outcome->end == BOX_ENDED_CPU || outcome->cpu_ns > (CPU_SECONDS - 1) * 1000000000LL)
+        refuse(refusal, "compiler-time", "The compiler did not end within %d seconds.",
+               "El compilador no terminó en %d segundos.", CPU_SECONDS);
+    else if (outcome->end == BOX_ENDED_OUTPUT ||
+             strstr(build->diagnostics, "File size limit exceeded"))
+        refuse(refusal, "compiler-output", "The compiler would write more than %d MB.",
+               "El compilador escribiría más de %d MB.", FILE_LIMIT_BYTES >> 20);
+    else if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == STAGE_LINK)
+        refuse(refusal, "link",
+               "It compiles but cannot be linked: see the messages of the linker (%s).",
+               "Compila pero no se puede enlazar: vea los mensajes del enlazador (%s).", "ld");
+    else
+        refuse(refusal, "syntax", "It does not compile: see the messages of the compiler (%s).",
+               "No compila: vea los mensajes del compilador (%s).", "gcc");
+    return 0;
+}
+
+/* ------------------------------------------------------------------ checks */
+
+static int check_policy(struct build *build, const struct source *sources, int count,
+                        struct error *err)
+{
+    for (int i = 0; i < count && !build->refusal.refused; i++) {
+        char name[16];
+        char *text;
+        size_t text_bytes;
+        struct policy policy;
+        if (!is_c_file(sources[i].name))
+            continue;
+        snprintf(name, sizeof name, "%d.i", i);
+        if (file_read_below(build->folder, name, FILE_LIMIT_BYTES, &text, &text_bytes, err) != 0)
+            return -1;
+        policy_check(text, text_bytes, NULL, &policy);
+        build->refusal = policy.refusal;
+        free(text);
+    }
+    return 0;
+}
+
+static int screen_one(const struct exercise *exercise, const char *name, bool sanitized,
+                      struct build *build, struct error *err)
+{
+    const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL};
+    struct screen_rules rules = {functions, STATIC_LIMIT_BYTES, sanitized};
+    char *object;
+    size_t object_bytes;
+    struct screen screen;
+    for (int i = 0; i < exercise->function_count; i++)
+        functions[i] = exercise->functions[i];
+    if (file_read_below(build->folder, name, 2 * FILE_LIMIT_BYTES, &object, &object_bytes, err) !=
+        0)
+        return -1;
+    int result = screen_object(object, object_bytes, &rules, &screen, err);
+    if (result == 0) {
+        build->refusal = screen.refusal;
+        if (!sanitized)
+            build->static_bytes = screen.static_bytes;
+        screen_release(&screen);
+    }
+    free(object);
+    return result;
+}
+
+static int check_screen(const struct exercise *exercise, struct build *build, struct error *err)
+{
+    if (screen_one(exercise, "all.o", false, build, err) != 0)
+        return -1;
+    return build->refusal.refused ? 0 : screen_one(exercise, "all.s.o", true, build, err);
+}
+
+/* The program that is counted, as it was linked. */
+static int check_program(struct build *build, struct error *err)
+{
+    char *bytes;
+    size_t count;
+    if (file_read_below(build->folder, program_names[PROGRAM_PLAIN], 2 * FILE_LIMIT_BYTES, &bytes,
+                        &count, err) != 0)
+        return -1;
+    screen_program(bytes, count, &build->refusal);
+    free(bytes);
+    return 0;
+}
+
+/* Policy and screen look at what the compiler made. A missing function is told better by the screen
+ * than by the linker, so both run after a failed link too. */
+static int check_build(const struct exercise *exercise, const struct source *sources, int count,
+                       struct build *build, struct error *err)
+{
+    struct refusal of_linker = build->refusal;
+    if (of_linker.refused && strcmp(of_linker.cause, "link") != 0)
+        return 0;
+    build->refusal.refused = false;
+    if (check_policy(build, sources, count, err) != 0 ||
+        (!build->refusal.refused && check_screen(exercise, build, err) != 0))
+        return -1;
+    if (build->refusal.refused)
+        return 0;
+    build->refusal = of_linker;
+    return of_linker.refused ? 0 : check_program(build, err);
+}
+
+static int open_programs(struct build *build, struct error *err)
+{
+    for (int kind = 0; kind < PROGRAM_COUNT; kind++) {
+        build->program_fd[kind] = file_open_below(build->folder, program_names[kind], err);
+        if (build->program_fd[kind] < 0)
+            return -1;
+    }
+    return 0;
+}
+
+int build_submission(const struct exercise *exercise, const struct source *sources,
+                     int source_count, struct build *build, struct error *err)
+{
+    struct script script = {.count = 0};
+    struct box_outcome outcome;
+    memset(build, 0, sizeof *build);
+    for (int kind = 0; kind < PROGRAM_COUNT; kind++)
+        build->program_fd[kind] = -1;
+    if (folder_make_work(build->folder, err) != 0 ||
+        write_sources(exercise, sources, source_count, build->folder, err) != 0 ||
+        copy_runners(exercise, build->folder, err) != 0 || box_give_folder(build->folder, err) != 0)
+        return -1;
+    write_script(exercise, sources, source_count, &script);
+    if (run_script(build, script.text, &outcome, err) != 0 ||
+        judge_outcome(build, &outcome, err) != 0 ||
+        check_build(exercise, sources, source_count, build, err) != 0)
+        return -1;
+    return build->refusal.refused ? 0 : open_programs(build, err);
+}
+
+int build_copy_program(const struct build *build, enum program_kind kind, const char *folder,
+                       struct error *err)
+{
+    char path[PATH_MAX + 16];
+    struct stat status;
+    snprintf(path, sizeof path, "%s/%s", folder, program_names[kind]);
+    int to = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0755);
+    if (to < 0 || fstat(build->program_fd[kind], &status) != 0) {
+        if (to >= 0)
+            close(to);
+        return error_set(err, "%s: %s", path, strerror(errno));
+    }
+    off_t at = 0;
+    while (at < status.st_size)
+        if (sendfile(to, build->program_fd[kind], &at, (size_t)(status.st_size - at)) <= 0)
+            break;
+    fchmod(to, 0755);
+    close(to);
+    return at == status.st_size ? 0 : error_set(err, "%s: %s", path, strerror(errno));
+}
+
+void build_release(struct build *build)
+{
+    for (int kind = 0; kind < PROGRAM_COUNT; kind++)
+        if (build->program_fd[kind] >= 0)
+            close(build->program_fd[kind]);
+    folder_remove_work(build->folder);
+}

@@ -1,0 +1,97 @@
+/* Measures as JSON; see measures.h. */
+#include "graders/engine/result/measures.h"
+
+#include <math.h>
+
+static json_t *rounded(double value)
+{
+    return json_real(round(value * 1000) / 1000);
+}
+
+static json_t *fit_json(const struct growth_fit *fit)
+{
+    return json_pack("{s:s, s:o, s:o}", "class", growth_class_name(fit->class), "exponent",
+                     rounded(fit->exponent), "excess_percent", rounded(100 * fit->excess));
+}
+
+static json_t *family_json(const struct trial *trial, int family)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    const struct family_result *found = &trial->families[family];
+    json_t *sizes = json_array(), *mine = json_array(), *theirs = json_array();
+    for (int i = 0; i < found->size_count; i++) {
+        json_array_append_new(sizes, json_integer(yardstick->sizes[i]));
+        json_array_append_new(mine, json_integer(found->costs[i].counts.instructions));
+        if (yardstick->costs[family][i].counted)
+            json_array_append_new(theirs,
+                                  json_integer(yardstick->costs[family][i].counts.instructions));
+    }
+    json_t *json =
+        json_pack("{s:s, s:o, s:o, s:o}", "name", yardstick->judge->families[family], "sizes",
+                  sizes, "instructions", mine, "reference_instructions", theirs);
+    if (found->fitted)
+        json_object_set_new(json, "fit", fit_json(&found->fit));
+    return json;
+}
+
+static json_t *growth_json(const struct trial *trial)
+{
+    const struct exercise *exercise = trial->yardstick->exercise;
+    json_t *families = json_array();
+    for (int family = 0; family < trial->yardstick->family_count; family++)
+        if (trial->families[family].size_count > 0)
+            json_array_append_new(families, family_json(trial, family));
+    return json_pack("{s:s, s:{s:s, s:s}, s:o}", "allowed", exercise->growth_allowed, "element",
+                     "en", exercise->growth_element.en, "es", exercise->growth_element.es,
+                     "families", families);
+}
+
+static json_t *family_memory_json(const struct trial *trial, int family)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    json_t *sizes = json_array(), *mine = json_array(), *theirs = json_array();
+    for (int i = 0; i < yardstick->size_count; i++) {
+        const struct cost *cost = &trial->families[family].costs[i];
+        json_array_append_new(sizes, json_integer(yardstick->sizes[i]));
+        json_array_append_new(mine, json_integer(cost->heap_peak_bytes));
+        json_array_append_new(theirs, json_integer(yardstick->costs[family][i].heap_peak_bytes));
+    }
+    return json_pack("{s:s, s:o, s:o, s:o}", "name", yardstick->judge->families[family], "sizes",
+                     sizes, "peak_bytes", mine, "reference_peak_bytes", theirs);
+}
+
+static json_t *memory_json(const struct trial *trial)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    int largest = yardstick->size_count - 1, family = trial->memory_family;
+    json_t *families = json_array();
+    json_array_append_new(families, family_memory_json(trial, family)); /* what decides is first */
+    for (int i = 0; i < yardstick->family_count; i++)
+        if (i != family)
+            json_array_append_new(families, family_memory_json(trial, i));
+    const struct cost *mine = &trial->families[family].costs[largest];
+    const struct cost *theirs = &yardstick->costs[family][largest];
+    return json_pack(
+        "{s:o, s:I, s:I, s:I, s:o, s:o, s:I, s:I, s:I}", "families", families, "size",
+        (json_int_t)yardstick->sizes[largest], "peak_bytes", (json_int_t)mine->heap_peak_bytes,
+        "reference_peak_bytes", (json_int_t)theirs->heap_peak_bytes, "ratio",
+        rounded(trial->memory_ratio), "band", rounded(yardstick->exercise->memory_band),
+        "allocations", (json_int_t)mine->allocation_count, "stack_bytes",
+        (json_int_t)mine->stack_bytes, "static_bytes", (json_int_t)trial->build.static_bytes);
+}
+
+json_t *measures_json(const struct trial *trial)
+{
+    json_t *measures = json_object();
+    if (trial->families[0].size_count > 0)
+        json_object_set_new(measures, "growth", growth_json(trial));
+    if (trial->work_ratio > 0)
+        json_object_set_new(measures, "work",
+                            json_pack("{s:o, s:o, s:o, s:o}", "ratio", rounded(trial->work_ratio),
+                                      "band", rounded(trial->yardstick->exercise->work_band),
+                                      "instruction_ratio", rounded(trial->instruction_ratio),
+                                      "miss_ratio", rounded(trial->miss_ratio)));
+    if (trial->memory_ratio > 0)
+        json_object_set_new(measures, "memory", memory_json(trial));
+    return measures;
+}

@@ -1,0 +1,12 @@
+/* The `measures` of a result: what was counted, as JSON. */
+#ifndef GRADERS_ENGINE_RESULT_MEASURES_H
+#define GRADERS_ENGINE_RESULT_MEASURES_H
+
+#include "graders/engine/run/trial.h"
+
+#include <jansson.h>
+
+/* A new object with the keys growth, work and memory, each only when it was measured. */
+json_t *measures_json(const struct trial *trial);
+
+#endif

@@ -1,0 +1,56 @@
+/* One attempt: a program is called in a fresh box on one input, and what came of it is judged. */
+#ifndef GRADERS_ENGINE_RUN_ATTEMPT_H
+#define GRADERS_ENGINE_RUN_ATTEMPT_H
+
+#include "graders/engine/base/verdict.h"
+#include "graders/engine/run/examine.h"
+#include "graders/engine/run/session.h"
+#include "graders/engine/run/yardstick.h"
+
+enum { ATTEMPT_OUTPUT = 4096 };
+
+struct attempt {
+    enum verdict verdict; /* PASSED: the answer was accepted */
+    char cause[48];
+    char element[96];
+    char message[JUDGEMENT_TEXT], message_es[JUDGEMENT_TEXT];
+    json_t *scene;         /* may be NULL; owned */
+    struct control claims; /* of the call; all zero when it never came back */
+    bool uncounted;        /* the program has no allocation shim: the judge hears of no usage */
+    int64_t cpu_ns;        /* charged to the call */
+    struct box_outcome outcome;
+    char output[ATTEMPT_OUTPUT]; /* what it printed, untrusted */
+};
+
+/* Runs the plain program of `build` on `input` and judges the answer.
+ *
+ * limits              of CPU and idle time
+ * mode                runner_mode flags
+ * failing_allocation  as struct control
+ * returns             0, or -1 and *err: a fault. attempt_release must follow. */
+int attempt_run(const struct yardstick *yardstick, const struct build *build,
+                const struct input *input, const struct call_limits *limits, uint32_t mode,
+                int64_t failing_allocation, struct attempt *attempt, struct error *err) MUST_CHECK;
+
+/* Judges the answer of a call that came back: copies it, checks the claims, asks the judge.
+ *
+ * attempt->claims must be filled; verdict, texts and scene are set */
+int attempt_judge(const struct yardstick *yardstick, const struct input *input,
+                  const struct session *session, struct attempt *attempt,
+                  struct error *err) MUST_CHECK;
+
+/* Sets verdict and texts for a program that did not come back. Returns 0, or -1 and *err for a
+ * fault: it was killed by a signal that it cannot send itself and that no limit of ours sends, or
+ * the runner could not get ready (CALL_NOT_READY; exit codes mean something only then). */
+int attempt_explain_death(enum call_end end, const struct control *claims,
+                          const struct box_outcome *outcome, struct attempt *attempt,
+                          struct error *err) MUST_CHECK;
+
+/* Sets verdict, cause and both sentences (same arguments for both). */
+void attempt_say(struct attempt *attempt, enum verdict verdict, const char *cause,
+                 const char *english, const char *spanish, ...)
+    __attribute__((format(printf, 4, 6)));
+
+void attempt_release(struct attempt *attempt);
+
+#endif

@@ -1,0 +1,105 @@
+/* What does the function do when memory runs out? Some cases again, with one allocation after the
+ * other refused: it must say so in the documented way (or do without), neither crash nor leak. */
+#include "graders/engine/run/series.h"
+#include "graders/engine/run/trial.h"
+
+#include <string.h>
+
+enum { CASES_MAX = 4, FAILURES_MAX = 16, INPUT_BYTES_MAX = 1 << 18 };
+static const struct call_limits limits = {5000000000LL, 2000000000LL};
+
+/* Chooses small accepted cases that allocate, no two of the same class. */
+static int choose_cases(const struct trial *trial, size_t chosen[CASES_MAX])
+{
+    const struct judge *judge = trial->yardstick->judge;
+    int count = 0;
+    for (size_t i = 0; i < judge->case_count && count < CASES_MAX; i++) {
+        bool fits = trial->cases[i].run && trial->cases[i].attempt.verdict == VERDICT_PASSED &&
+                    trial->cases[i].attempt.claims.allocation_count > 0 &&
+                    trial->yardstick->cases[i].bytes <= INPUT_BYTES_MAX;
+        for (int k = 0; k < count && fits; k++)
+            fits = strcmp(judge->cases[chosen[k]].class_name, judge->cases[i].class_name) != 0;
+        if (fits)
+            chosen[count++] = i;
+    }
+    return count;
+}
+
+/* What one refused allocation showed. Returns 0, or -1: a fault. */
+static int judge_call(struct trial *trial, const struct series *series, size_t index,
+                      long long failing, struct attempt *attempt, struct error *err)
+{
+    struct check_result *check = &trial->checks[CHECK_ALLOCATION_FAILURE];
+    const char *name = trial->yardstick->judge->cases[index].name;
+    const struct input *input = &trial->yardstick->cases[index];
+    if (series->end != CALL_ANSWERED) {
+        check_say(check, VERDICT_CRASH, "allocation-failure",
+                  "In case %s your function does not survive that allocation number %lld fails: "
+                  "test what malloc returns.",
+                  "En el caso %s tu función no sobrevive si falla la reserva número %lld: "
+                  "comprueba lo que devuelve malloc.",
+                  name, failing);
+        return 0;
+    }
+    if (attempt->claims.heap_left_bytes > 0) {
+        check_say(check, VERDICT_LEAK, "allocation-failure",
+                  "In case %s, when allocation number %lld fails, bytes are never freed: %lld.",
+                  "En el caso %s, si falla la reserva número %lld, hay bytes sin liberar: %lld.",
+                  name, failing, (long long)attempt->claims.heap_left_bytes);
+        return 0;
+    }
+    if (attempt->claims.out_of_memory)
+        return 0;
+    if (attempt_judge(trial->yardstick, input, &series->session, attempt, err) != 0)
+        return -1;
+    if (attempt->verdict != VERDICT_PASSED)
+        check_say(check, VERDICT_WRONG_ANSWER, "allocation-failure",
+                  "In case %s, when allocation number %lld fails, your function neither reports it "
+                  "nor answers right.",
+                  "En el caso %s, si falla la reserva número %lld, tu función ni avisa ni responde "
+                  "bien.",
+                  name, failing);
+    return 0;
+}
+
+static int sweep_case(struct trial *trial, size_t index, struct error *err)
+{
+    const struct input *input = &trial->yardstick->cases[index];
+    int64_t allocations = trial->cases[index].attempt.claims.allocation_count;
+    int64_t step = allocations > FAILURES_MAX ? allocations / FAILURES_MAX : 1;
+    struct series series;
+    struct series_plan plan = {.yardstick = trial->yardstick,
+                               .build = &trial->build,
+                               .tool = SERIES_PLAIN,
+                               .input_bytes = input->bytes,
+                               .answer_bytes = input->answer_bound,
+                               .cpu = -1};
+    struct attempt last = {0};
+    int result = series_start(&series, &plan, err);
+    for (int64_t failing = 1; failing <= allocations && result == 0; failing += step) {
+        struct attempt attempt = {0};
+        series_call(&series, input, failing, &limits, &attempt);
+        result = judge_call(trial, &series, index, failing, &attempt, err);
+        attempt_release(&attempt);
+        if (trial->checks[CHECK_ALLOCATION_FAILURE].verdict != VERDICT_PASSED)
+            break;
+    }
+    if (series.started && series_end(&series, &last, err) != 0)
+        result = -1;
+    attempt_release(&last);
+    series_release(&series);
+    return result;
+}
+
+int trial_check_allocation_failure(struct trial *trial, struct error *err)
+{
+    size_t chosen[CASES_MAX];
+    struct check_result *check = &trial->checks[CHECK_ALLOCATION_FAILURE];
+    int count = choose_cases(trial, chosen);
+    check_say(check, VERDICT_PASSED, "", "Every refused allocation was handled.%s",
+              "Se trató cada reserva denegada.%s", "");
+    for (int i = 0; i < count && check->verdict == VERDICT_PASSED; i++)
+        if (sweep_case(trial, chosen[i], err) != 0)
+            return -1;
+    return 0;
+}

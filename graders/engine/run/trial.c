@@ -1,0 +1,137 @@
+/* The life of one submission after upload: build, cases, checks; see trial.h. */
+#include "graders/engine/run/trial.h"
+
+#include "reference/base/plural.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+
+void check_say(struct check_result *check, enum verdict verdict, const char *cause,
+               const char *english, const char *spanish, ...)
+{
+    va_list arguments, again;
+    check->verdict = verdict;
+    snprintf(check->cause, sizeof check->cause, "%s", cause);
+    va_start(arguments, spanish);
+    va_copy(again, arguments);
+    vsnprintf(check->message, sizeof check->message, english, arguments);
+    vsnprintf(check->message_es, sizeof check->message_es, spanish, again);
+    va_end(again);
+    va_end(arguments);
+}
+
+/* Leaks need no run of their own: the shim saw every case. The smallest leaking case speaks. */
+static void check_leak(struct trial *trial)
+{
+    const struct judge *judge = trial->yardstick->judge;
+    struct check_result *check = &trial->checks[CHECK_LEAK];
+    check_say(check, VERDICT_PASSED, "", "Everything allocated is freed or returned.%s",
+              "Todo lo reservado se libera o se devuelve.%s", "");
+    const struct control *least = NULL;
+    for (size_t i = 0; i < judge->case_count; i++) {
+        const struct control *claims = &trial->cases[i].attempt.claims;
+        if (!trial->cases[i].run || claims->phase != PHASE_DONE || claims->heap_left_bytes <= 0 ||
+            (least && claims->heap_left_bytes >= least->heap_left_bytes))
+            continue;
+        least = claims;
+        check_say(
+            check, VERDICT_LEAK, "leak",
+            "In case %s your function leaves %lld byte%s in %lld block%s that nobody can free "
+            "any more.",
+            "En el caso %s tu función deja %lld byte%s en %lld bloque%s que ya nadie puede "
+            "liberar.",
+            judge->cases[i].name, (long long)claims->heap_left_bytes,
+            plural_ending(claims->heap_left_bytes), (long long)claims->leaked_blocks,
+            plural_ending(claims->leaked_blocks));
+    }
+}
+
+/* CPU time of this process and all that it has reaped, boxes included. */
+static int64_t spent_ns(void)
+{
+    static const int whose[] = {RUSAGE_SELF, RUSAGE_CHILDREN};
+    int64_t spent = 0;
+    for (int i = 0; i < 2; i++) {
+        struct rusage usage;
+        getrusage(whose[i], &usage);
+        spent += (usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) * 1000000000LL +
+                 (usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) * 1000LL;
+    }
+    return spent;
+}
+
+static void charge(const struct trial *trial, enum trial_stage stage, int64_t *since_ns)
+{
+    int64_t now = spent_ns();
+    if (trial->scope.stage_cpu_ns)
+        trial->scope.stage_cpu_ns[stage] += now - *since_ns;
+    *since_ns = now;
+}
+
+static void set_not_reached(struct trial *trial)
+{
+    for (int check = 0; check < CHECK_COUNT; check++)
+        check_say(&trial->checks[check], VERDICT_NOT_REACHED, "not-reached",
+                  "Not looked at, because something before it failed.%s",
+                  "No se examinó, porque falló algo anterior.%s", "");
+}
+
+static int run_checks(struct trial *trial, struct error *err)
+{
+    const struct exercise *exercise = trial->yardstick->exercise;
+    int64_t since_ns = spent_ns();
+    if (exercise->checked[CHECK_UNDEFINED_BEHAVIOUR] &&
+        trial_check_undefined_behaviour(trial, err) != 0)
+        return -1;
+    charge(trial, STAGE_UNDEFINED_BEHAVIOUR, &since_ns);
+    if (!trial_basic_class_passed(trial))
+        return 0;
+    if (exercise->checked[CHECK_ALLOCATION_FAILURE] &&
+        trial_check_allocation_failure(trial, err) != 0)
+        return -1;
+    charge(trial, STAGE_ALLOCATION_FAILURE, &since_ns);
+    if (exercise->checked[CHECK_GROWTH] && trial_check_growth(trial, err) != 0)
+        return -1;
+    charge(trial, STAGE_GROWTH, &since_ns);
+    return 0;
+}
+
+int trial_run(struct trial *trial, struct yardstick *yardstick, const char *student,
+              const struct source *sources, int source_count, const struct trial_scope *scope,
+              struct error *err)
+{
+    memset(trial, 0, sizeof *trial);
+    trial->yardstick = yardstick;
+    trial->student = student;
+    trial->sources = sources;
+    trial->source_count = source_count;
+    trial->scope = *scope;
+    set_not_reached(trial);
+    trial->cases = calloc(yardstick->judge->case_count, sizeof *trial->cases);
+    if (!trial->cases)
+        return error_set(err, "out of memory");
+    int64_t since_ns = spent_ns();
+    if (build_submission(yardstick->exercise, sources, source_count, &trial->build, err) != 0)
+        return -1;
+    charge(trial, STAGE_BUILD, &since_ns);
+    trial->active_layers = trial->build.active_layers;
+    if (trial->build.refusal.refused)
+        return 0;
+    if (trial_run_cases(trial, err) != 0)
+        return -1;
+    charge(trial, STAGE_CASES, &since_ns);
+    check_leak(trial);
+    return scope->quick || scope->only_case ? 0 : run_checks(trial, err);
+}
+
+void trial_release(struct trial *trial)
+{
+    for (size_t i = 0; trial->cases && i < trial->yardstick->judge->case_count; i++)
+        attempt_release(&trial->cases[i].attempt);
+    free(trial->cases);
+    trial->cases = NULL;
+    build_release(&trial->build);
+}
