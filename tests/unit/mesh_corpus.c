@@ -1,8 +1,8 @@
 /* Meshes to try representations with; see mesh_corpus.h. */
 #include "tests/unit/mesh_corpus.h"
 
+#include "reference/base/random.h"
 #include "reference/mesh/generate.h"
-#include "reference/mesh/random.h"
 #include "tests/unit/mesh_measures.h"
 
 #include <stdio.h>
