@@ -9,7 +9,7 @@
 #ifndef GRADERS_JUDGES_JUDGE_H
 #define GRADERS_JUDGES_JUDGE_H
 
-#include "graders/judges/scene.h"
+#include "graders/scene/scene.h"
 #include "graders/wire/packet.h"
 #include "reference/base/error.h"
 

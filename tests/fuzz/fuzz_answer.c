@@ -3,8 +3,8 @@
  *
  * An input is "<exercise>/<case>" and a line feed, then the answer. Names that are none choose a
  * judge and a case by their hash, so that no input is without use. */
-#include "graders/judges/scene.h"
 #include "graders/judges/table.h"
+#include "graders/scene/scene.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
  *
  * The meshes are made here by formula, so that a golden picture changes only when the renderer
  * does. */
-#include "graders/judges/scene.h"
+#include "graders/scene/scene.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* The judge of the area: its own sum against areas known by formula, answers of every kind, and
  * known submissions. */
-#include "graders/judges/mesh_area.h"
+#include "graders/library/mesh_area.h"
 #include "reference/base/random.h"
 #include "reference/mesh/generate.h"
 #include "tests/unit/submissions.h"

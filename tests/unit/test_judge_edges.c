@@ -1,6 +1,6 @@
 /* The judges of the edge tables: known submissions, and answers of every kind against an oracle
  * that compares with a matrix of all pairs. */
-#include "graders/judges/mesh_case.h"
+#include "graders/library/mesh_case.h"
 #include "reference/base/random.h"
 #include "tests/unit/submissions.h"
 

@@ -1,6 +1,6 @@
 /* Scenes: what is kept, what is cut, and that the JSON holds the same bytes. */
-#include "graders/judges/scene.h"
-#include "graders/judges/scene_cut.h"
+#include "graders/scene/cut.h"
+#include "graders/scene/scene.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -22,7 +22,8 @@ static const char *const patterns[] = {
     "cause = \"([a-z][a-z0-9-]*[a-z0-9])\"",
 };
 static const char *const sources[] = {"graders/engine/*.c", "graders/engine/*/*.c",
-                                      "graders/judges/*.c", "graders/judges/*/*.c"};
+                                      "graders/library/*.c", "graders/judges/*.c",
+                                      "graders/judges/*/*.c"};
 
 /* Looks the causes up that one pattern finds in one file. Returns how many. */
 static int look_up(const char *text, const char *pattern, int *missing)

@@ -5,8 +5,8 @@
  * component but in `several-components`, and so on. Only bodies with handles, in `closed`, have
  * more than 3 (V - 2) edges, only `high-valence` has vertices with more than 32 neighbours, and
  * only `high-numbers` has numbers that overflow 16 bits, or 32 bits when multiplied. */
-#include "graders/judges/edge_table.h"
-#include "graders/judges/mesh_case.h"
+#include "graders/library/edge_table.h"
+#include "graders/library/mesh_case.h"
 
 enum { HIDDEN = false, PUBLIC = true, QUICK = true, FULL = false };
 

@@ -4,8 +4,8 @@
  * Each class is pure: only `genus` has more than 3 (V - 2) edges, only the bipyramid of `closed`
  * has vertices with more than 32 neighbours, and only `high-numbers` has numbers that overflow 16
  * bits, or 32 bits when multiplied. */
-#include "graders/judges/edge_table.h"
-#include "graders/judges/mesh_case.h"
+#include "graders/library/edge_table.h"
+#include "graders/library/mesh_case.h"
 
 enum { HIDDEN = false, PUBLIC = true, QUICK = true, FULL = false };
 

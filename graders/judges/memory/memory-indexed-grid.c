@@ -1,10 +1,10 @@
 /* Judges memory-indexed-grid (problem 4.2). Vertices and triangles are judged by where they lie, so
  * that any numbering, any order and either diagonal is right. */
-#include "graders/judges/formula.h"
 #include "graders/judges/judge.h"
-#include "graders/judges/lattice.h"
-#include "graders/judges/show.h"
+#include "graders/library/formula.h"
+#include "graders/library/lattice.h"
 #include "graders/runner/memory/questions.h"
+#include "graders/scene/show.h"
 
 #include <inttypes.h>
 #include <math.h>

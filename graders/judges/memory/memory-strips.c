@@ -1,11 +1,11 @@
 /* Judges memory-strips (problem 4.3). A strip is decoded triangle by triangle and judged by where
  * its vertices lie, so that strips may stand in any order, run either way and cut by either
  * diagonal. */
-#include "graders/judges/formula.h"
 #include "graders/judges/judge.h"
-#include "graders/judges/lattice.h"
-#include "graders/judges/show.h"
+#include "graders/library/formula.h"
+#include "graders/library/lattice.h"
 #include "graders/runner/memory/questions.h"
+#include "graders/scene/show.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -1,12 +1,13 @@
 /* Judges memory-voxels-vs-mesh (problem 4.1). Voxels are compared with an exact test of every
- * cell's centre; the mesh is judged by where its vertices lie (graders/judges/sphere.h). What books
- * do otherwise at the poles and the seam is known by name, and a student who did that is told so.
+ * cell's centre; the mesh is judged by where its vertices lie (graders/library/sphere.h). What
+ * books do otherwise at the poles and the seam is known by name, and a student who did that is told
+ * so.
  */
-#include "graders/judges/formula.h"
 #include "graders/judges/judge.h"
-#include "graders/judges/show.h"
-#include "graders/judges/sphere.h"
+#include "graders/library/formula.h"
+#include "graders/library/sphere.h"
 #include "graders/runner/memory/questions.h"
+#include "graders/scene/show.h"
 
 #include <inttypes.h>
 #include <math.h>

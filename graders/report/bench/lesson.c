@@ -1,7 +1,7 @@
 /* See lesson.h. */
 #include "graders/report/bench/lesson.h"
 
-#include "graders/judges/scene.h"
+#include "graders/scene/scene.h"
 #include "reference/mesh/generate.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* Picture: the strips of a real model in turn colours. */
 #include "graders/report/bench/lesson.h"
 
-#include "graders/judges/scene.h"
+#include "graders/scene/scene.h"
 #include "reference/formats/mesh_file.h"
 #include "reference/mesh/generate.h"
 #include "reference/mesh/strips.h"

@@ -1,7 +1,7 @@
 /* Picture: a sphere as voxels, as an octree and as a mesh, the solids cut open. */
 #include "graders/report/bench/lesson.h"
 
-#include "graders/judges/scene.h"
+#include "graders/scene/scene.h"
 #include "reference/mesh/generate.h"
 #include "reference/representation/octree.h"
 

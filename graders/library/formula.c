@@ -1,5 +1,5 @@
 /* Formulas, numbers and sizes; see formula.h. */
-#include "graders/judges/formula.h"
+#include "graders/library/formula.h"
 
 #include <inttypes.h>
 #include <math.h>

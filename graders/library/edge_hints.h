@@ -1,9 +1,9 @@
 /* Which mistake an edge table looks like. A hint is given when what is wrong fits a pattern without
  * exception; it is a guess, and never changes a verdict. */
-#ifndef GRADERS_JUDGES_EDGE_HINTS_H
-#define GRADERS_JUDGES_EDGE_HINTS_H
+#ifndef GRADERS_LIBRARY_EDGE_HINTS_H
+#define GRADERS_LIBRARY_EDGE_HINTS_H
 
-#include "graders/judges/edge_set.h"
+#include "graders/library/edge_set.h"
 
 /* The same sentence twice; each starts with a space, or is empty when no pattern fits. */
 struct hint {

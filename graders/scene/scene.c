@@ -1,5 +1,5 @@
 /* Filling a scene; see scene.h. */
-#include "graders/judges/scene.h"
+#include "graders/scene/scene.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Judging a table of edges; see edge_table.h. */
-#include "graders/judges/edge_table.h"
+#include "graders/library/edge_table.h"
 
-#include "graders/judges/edge_hints.h"
+#include "graders/library/edge_hints.h"
 
 #include <inttypes.h>
 

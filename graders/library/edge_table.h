@@ -15,8 +15,8 @@
  *
  * A set with none of these has the right count. The scene of a rejection marks what is missing,
  * listed again and extra, and the boundary edges of an open mesh. */
-#ifndef GRADERS_JUDGES_EDGE_TABLE_H
-#define GRADERS_JUDGES_EDGE_TABLE_H
+#ifndef GRADERS_LIBRARY_EDGE_TABLE_H
+#define GRADERS_LIBRARY_EDGE_TABLE_H
 
 #include "graders/judges/judge.h"
 

@@ -1,8 +1,8 @@
 /* The area of a mesh for a judge: exact, and as the usual mistakes would compute it. */
-#ifndef GRADERS_JUDGES_MESH_AREA_H
-#define GRADERS_JUDGES_MESH_AREA_H
+#ifndef GRADERS_LIBRARY_MESH_AREA_H
+#define GRADERS_LIBRARY_MESH_AREA_H
 
-#include "graders/judges/mesh_case.h"
+#include "graders/library/mesh_case.h"
 
 /* Sums over all triangles. */
 struct area_sums {

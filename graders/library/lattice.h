@@ -3,8 +3,8 @@
  * student may number vertices and order triangles in any way.
  *
  * Point r * (n + 1) + c of the lattice lies at x = c / n, y = r / m, z = 0. */
-#ifndef GRADERS_JUDGES_LATTICE_H
-#define GRADERS_JUDGES_LATTICE_H
+#ifndef GRADERS_LIBRARY_LATTICE_H
+#define GRADERS_LIBRARY_LATTICE_H
 
 #include "reference/base/error.h"
 

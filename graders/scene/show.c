@@ -1,5 +1,5 @@
 /* Showing what a student returned; see show.h. */
-#include "graders/judges/show.h"
+#include "graders/scene/show.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* The edges of a mesh; see edge_set.h. */
-#include "graders/judges/edge_set.h"
+#include "graders/library/edge_set.h"
 
 #include <stdlib.h>
 

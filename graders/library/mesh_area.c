@@ -1,5 +1,5 @@
 /* The area of a mesh for a judge; see mesh_area.h. */
-#include "graders/judges/mesh_area.h"
+#include "graders/library/mesh_area.h"
 
 #include <math.h>
 

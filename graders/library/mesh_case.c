@@ -1,5 +1,5 @@
 /* Meshes as inputs of cases; see mesh_case.h. */
-#include "graders/judges/mesh_case.h"
+#include "graders/library/mesh_case.h"
 
 #include "reference/formats/mesh_file.h"
 #include "reference/mesh/generate.h"

@@ -6,8 +6,8 @@
  * any order and cut cells by either diagonal. At a pole k vertices share a place; which meridian
  * each of them belongs to follows from the triangles, and only that they close up around the pole
  * is asked. */
-#ifndef GRADERS_JUDGES_SPHERE_H
-#define GRADERS_JUDGES_SPHERE_H
+#ifndef GRADERS_LIBRARY_SPHERE_H
+#define GRADERS_LIBRARY_SPHERE_H
 
 #include "graders/judges/judge.h"
 

@@ -1,9 +1,9 @@
 /* The edges of a mesh, as a judge needs them: each once, with where it comes from, and how often an
  * answer lists it. */
-#ifndef GRADERS_JUDGES_EDGE_SET_H
-#define GRADERS_JUDGES_EDGE_SET_H
+#ifndef GRADERS_LIBRARY_EDGE_SET_H
+#define GRADERS_LIBRARY_EDGE_SET_H
 
-#include "graders/judges/mesh_case.h"
+#include "graders/library/mesh_case.h"
 
 /* How the triangles of an edge name it, or how the entries of an answer do. */
 enum edge_flag {

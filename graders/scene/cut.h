@@ -1,9 +1,9 @@
 /* The neighbourhood of a scene's marks: what is kept of a mesh that is too big to be shown whole.
  */
-#ifndef GRADERS_JUDGES_SCENE_CUT_H
-#define GRADERS_JUDGES_SCENE_CUT_H
+#ifndef GRADERS_SCENE_CUT_H
+#define GRADERS_SCENE_CUT_H
 
-#include "graders/judges/scene.h"
+#include "graders/scene/scene.h"
 
 enum {
     SCENE_TRIANGLE_LIMIT = 100000, /* meshes above this are cut, */

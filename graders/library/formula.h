@@ -3,8 +3,8 @@
  *
  * A wrong formula is compared with the mistakes that are usual for it; when all the answers agree
  * with one of these, the student reads which. */
-#ifndef GRADERS_JUDGES_FORMULA_H
-#define GRADERS_JUDGES_FORMULA_H
+#ifndef GRADERS_LIBRARY_FORMULA_H
+#define GRADERS_LIBRARY_FORMULA_H
 
 #include "graders/judges/judge.h"
 

@@ -3,8 +3,8 @@
  * Shared by the judges whose exercises take an indexed mesh. Packet:
  *
  *     int vertex_count, int triangle_count, float positions[3V], int32 triangles[3F] */
-#ifndef GRADERS_JUDGES_MESH_CASE_H
-#define GRADERS_JUDGES_MESH_CASE_H
+#ifndef GRADERS_LIBRARY_MESH_CASE_H
+#define GRADERS_LIBRARY_MESH_CASE_H
 
 #include "graders/judges/judge.h"
 

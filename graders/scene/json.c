@@ -1,6 +1,6 @@
 /* Scenes as JSON; the format stands in graders/render/README.md. */
-#include "graders/judges/scene.h"
-#include "graders/judges/scene_cut.h"
+#include "graders/scene/cut.h"
+#include "graders/scene/scene.h"
 
 #include <stdlib.h>
 #include <string.h>

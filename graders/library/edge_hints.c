@@ -1,5 +1,5 @@
 /* Which mistake an edge table looks like; see edge_hints.h. */
-#include "graders/judges/edge_hints.h"
+#include "graders/library/edge_hints.h"
 
 #include <stdlib.h>
 

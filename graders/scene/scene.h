@@ -2,8 +2,8 @@
  * both the renderer (PNG) and the page (interactive view) draw from that.
  *
  * Meshes are copied into the scene; everything is released by scene_release. */
-#ifndef GRADERS_JUDGES_SCENE_H
-#define GRADERS_JUDGES_SCENE_H
+#ifndef GRADERS_SCENE_SCENE_H
+#define GRADERS_SCENE_SCENE_H
 
 #include "reference/base/error.h"
 #include "reference/mesh/mesh.h"

@@ -1,5 +1,5 @@
 /* The grid of problems 4.2 and 4.3; see lattice.h. */
-#include "graders/judges/lattice.h"
+#include "graders/library/lattice.h"
 
 #include <math.h>
 #include <stdlib.h>

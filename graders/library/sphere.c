@@ -2,9 +2,9 @@
  *
  * Parallels are numbered 0 (north pole) ... k - 1 (south pole); those between are rings. A cell
  * (i, j) lies between parallels i and i + 1 and meridians j and j + 1. */
-#include "graders/judges/sphere.h"
+#include "graders/library/sphere.h"
 
-#include "graders/judges/show.h"
+#include "graders/scene/show.h"
 
 #include <inttypes.h>
 #include <math.h>

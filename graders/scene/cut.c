@@ -1,5 +1,5 @@
 /* Breadth-first growth from the marked vertices; see scene_cut.h. */
-#include "graders/judges/scene_cut.h"
+#include "graders/scene/cut.h"
 
 #include <stdlib.h>
 #include <string.h>

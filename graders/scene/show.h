@@ -1,9 +1,9 @@
 /* Showing what a student returned: tables that may hold anything become a scene that may be drawn.
  */
-#ifndef GRADERS_JUDGES_SHOW_H
-#define GRADERS_JUDGES_SHOW_H
+#ifndef GRADERS_SCENE_SHOW_H
+#define GRADERS_SCENE_SHOW_H
 
-#include "graders/judges/scene.h"
+#include "graders/scene/scene.h"
 
 /* Puts a mesh into the scene as scene_set_mesh does, but leaves out triangles with an index out of
  * range and puts coordinates that are not finite, or are beyond 1000, to zero. Tables may be NULL
