@@ -95,7 +95,7 @@ static void print_left_out(const struct request *request, const json_t *result, 
     const struct judge *judge = judge_find(json_string_value(json_object_get(result, "exercise")));
     size_t hidden = 0;
     for (size_t i = 0; judge && i < judge->case_count; i++)
-        hidden += !judge->cases[i].is_public;
+        hidden += !judge_case_is_public(&judge->cases[i]);
     if (request->all || request->only_case || hidden == 0)
         return;
     printf(spanish ? "\nAl corregir hay además %zu caso%s sin publicar%s.\n"

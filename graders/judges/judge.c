@@ -1,35 +1,167 @@
-/* What all judges share; see judge.h. */
+/* Inputs and answers by their declaration; see judge.h. */
 #include "graders/judges/judge.h"
 
-#include <stdarg.h>
-#include <stdio.h>
+#include "graders/library/questions.h"
+
 #include <string.h>
 
-void judge_accept(struct judgement *out)
+enum { VERTEX_BYTES = 12 };
+
+int judge_family_count(const struct judge *judge)
 {
-    out->accepted = true;
+    int count = 0;
+    while (judge->families && judge->families[count].name)
+        count++;
+    return count;
 }
 
-void judge_reject(struct judgement *out, const char *cause, const char *english,
-                  const char *spanish, ...)
+const char *judge_family_name(const struct judge *judge, int family)
 {
-    if (out->cause[0])
-        return;
-    out->accepted = false;
-    snprintf(out->cause, sizeof out->cause, "%s", cause);
-    va_list arguments, again;
-    va_start(arguments, spanish);
-    va_copy(again, arguments);
-    vsnprintf(out->message, sizeof out->message, english, arguments);
-    vsnprintf(out->message_es, sizeof out->message_es, spanish, again);
-    va_end(again);
-    va_end(arguments);
+    return judge->families[family].name;
 }
 
-void judge_name_element(struct judgement *out, const char *format, ...)
+/* ------------------------------------------------------------------------------------- inputs */
+
+static bool takes_polygons(const struct judge *judge)
 {
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(out->element, sizeof out->element, format, arguments);
-    va_end(arguments);
+    return judge->input == INPUT_POLYGONS;
+}
+
+/* Vast numbers: 200 MB of positions that no function of INPUT_TOPOLOGY reads are left out. */
+static int write_mesh(const struct judge *judge, const struct judge_case *c, struct mesh *mesh,
+                      struct writer *input, struct error *err)
+{
+    bool vast = judge->input == INPUT_TOPOLOGY && (c->mesh.changes & VAST_NUMBERS);
+    int failed = mesh_input_write(mesh, !vast, input, err);
+    mesh_release(mesh);
+    return failed;
+}
+
+static int write_numbers(const struct judge *judge, const int64_t number[4], struct writer *input,
+                         struct error *err)
+{
+    for (int i = 0; i < judge->numbers; i++)
+        write_int(input, number[i]);
+    return input->failed ? error_set(err, "out of memory for an input") : 0;
+}
+
+int judge_make(const struct judge *judge, const struct judge_case *c, const char *models,
+               struct writer *input, struct error *err)
+{
+    struct mesh mesh;
+    struct polygon_mesh polygons;
+    switch (judge->input) {
+    case INPUT_OWN:
+        return judge->make(c, models, input, err);
+    case INPUT_QUESTION:
+        return question_write(c->ask, c->number, input, err);
+    case INPUT_POLYGONS:
+        if (polygon_mesh_make(&c->mesh, c->seed, models, &polygons, err) != 0)
+            return -1;
+        if (polygon_mesh_write(&polygons, input, err) != 0) {
+            polygon_mesh_release(&polygons);
+            return -1;
+        }
+        polygon_mesh_release(&polygons);
+        return write_numbers(judge, c->number, input, err);
+    case INPUT_MESH:
+    case INPUT_TOPOLOGY:
+        break;
+    }
+    if (recipe_make(&c->mesh, c->seed, models, &mesh, err) != 0 ||
+        write_mesh(judge, c, &mesh, input, err) != 0)
+        return -1;
+    return write_numbers(judge, c->number, input, err);
+}
+
+int judge_make_sized(const struct judge *judge, int family, int64_t size, uint64_t seed,
+                     struct writer *input, struct error *err)
+{
+    const struct size_family *shape = &judge->families[family];
+    struct mesh mesh;
+    if (shape->shape == FAMILY_OWN)
+        return judge->make_sized(family, size, seed, input, err);
+    static const int64_t none[4] = {0};
+    if (takes_polygons(judge)) {
+        struct polygon_mesh polygons;
+        if (polygon_mesh_make_sized(shape, size, seed, &polygons, err) != 0)
+            return -1;
+        int failed = polygon_mesh_write(&polygons, input, err);
+        polygon_mesh_release(&polygons);
+        return failed ? -1 : write_numbers(judge, none, input, err);
+    }
+    if (family_make(shape, size, seed, &mesh, err) != 0)
+        return -1;
+    int failed = mesh_input_write(&mesh, true, input, err);
+    mesh_release(&mesh);
+    return failed ? -1 : write_numbers(judge, none, input, err);
+}
+
+/* Reads what the two above wrote. */
+static struct task read_input(const struct judge *judge, struct span input)
+{
+    struct task task = {.judge = judge, .input = input};
+    struct reader reader = reader_of(input.bytes, input.count);
+    if (takes_polygons(judge)) {
+        task.polygons = polygon_view_read(&reader);
+        task.sizes = (struct input_sizes){task.polygons.vertex_count, task.polygons.face_count,
+                                          polygon_view_corner_count(&task.polygons)};
+    } else if (judge->input == INPUT_MESH || judge->input == INPUT_TOPOLOGY) {
+        task.mesh = mesh_input_read(&reader);
+        task.sizes = (struct input_sizes){task.mesh.vertex_count, task.mesh.triangle_count,
+                                          3 * (int64_t)task.mesh.triangle_count};
+    }
+    for (int i = 0; i < judge->numbers; i++)
+        task.number[i] = read_int(&reader);
+    return task;
+}
+
+size_t judge_answer_bound(const struct judge *judge, struct span input)
+{
+    if (judge->input == INPUT_QUESTION)
+        return question_answer_bound(judge, input);
+    if (!judge->answer)
+        return judge->bound(input);
+    struct task task = read_input(judge, input);
+    return answer_bound(judge->answer, task.sizes);
+}
+
+size_t judge_input_weight(const struct judge *judge, struct span input)
+{
+    size_t vertices = VERTEX_BYTES * (size_t)read_input(judge, input).sizes.vertices;
+    return vertices > input.count ? vertices : input.count;
+}
+
+/* ------------------------------------------------------------------------------------ answers */
+
+int task_show(const struct task *task, struct judgement *out, struct error *err)
+{
+    if (takes_polygons(task->judge))
+        return polygon_view_show(&task->polygons, &out->scene, err);
+    return mesh_input_show(&task->mesh, &out->scene, err);
+}
+
+/* A rejection shows at least the input. */
+static int show_something(const struct task *task, struct judgement *out, struct error *err)
+{
+    bool has_mesh = takes_polygons(task->judge) || task->mesh.triangles;
+    if (out->accepted || out->scene.kind != SCENE_NONE || !has_mesh)
+        return 0;
+    out->scene.ok_count = -1;
+    return task_show(task, out, err);
+}
+
+int judge_answer(const struct judge *judge, struct span input, struct span answer,
+                 const struct usage *usage, struct judgement *out, struct error *err)
+{
+    struct task task = read_input(judge, input);
+    task.said = answer;
+    task.usage = usage;
+    if (judge->input == INPUT_QUESTION)
+        return question_judge(&task, out, err);
+    if (judge->answer && !answer_read(judge->answer, task.sizes, answer, &task.answer, out))
+        return show_something(&task, out, err);
+    if (judge->judge(&task, out, err) != 0)
+        return -1;
+    return show_something(&task, out, err);
 }

@@ -8,6 +8,15 @@
 
 enum { PLACE_BYTES = 96 };
 
+static const struct cause wrong_formula = {"wrong-formula",
+                                           {"wrong formula", "fórmula incorrecta"}};
+static const struct cause wrong_number = {"wrong-number", {"wrong number", "número incorrecto"}};
+static const struct cause measured_size = {"measured-size",
+                                           {"measured size differs", "tamaño medido distinto"}};
+static const struct cause formula_differs = {
+    "formula-differs",
+    {"formula differs from what was built", "fórmula distinta de lo construido"}};
+
 /* ----------------------------------------------------------------- formulas */
 
 static int64_t right_at(const struct formula *formula, const int32_t *rows, int64_t row)
@@ -43,15 +52,17 @@ static const struct formula_mistake *find_mistake(const struct formula *formula,
                                                   const int64_t *answers)
 {
     static const struct formula_mistake wrapped = {
-        "overflow", NULL,
-        "The value does not fit into 32 bits: multiply after widening to int64_t.",
-        "El valor no cabe en 32 bits: convierte a int64_t antes de multiplicar."};
+        {"overflow", {"overflow", "desbordamiento"}},
+        NULL,
+        {"The value does not fit into 32 bits: multiply after widening to int64_t.",
+         "El valor no cabe en 32 bits: convierte a int64_t antes de multiplicar."}};
     static const struct formula_mistake rounded = {
-        "rounded", NULL,
-        "It is almost right: it was rounded, perhaps by float or double. Use only int64_t.",
-        "Es casi correcto: se ha redondeado, quizá por usar float o double. Usa solo int64_t."};
+        {"rounded", {"rounded", "redondeado"}},
+        NULL,
+        {"It is almost right: it was rounded, perhaps by float or double. Use only int64_t.",
+         "Es casi correcto: se ha redondeado, quizá por usar float o double. Usa solo int64_t."}};
     const struct formula_mistake *mistake = formula->mistakes;
-    for (; mistake && mistake->cause; mistake++) {
+    for (; mistake && mistake->cause.slug; mistake++) {
         int64_t i = 0;
         while (i < row_count && answers[i] == mistake->value(rows[2 * i], rows[2 * i + 1]))
             i++;
@@ -132,13 +143,13 @@ static int show_curves(const struct formula *formula, const int32_t *rows, int64
 {
     bool diagonal = diagonal_tells(formula, rows, row_count, answers);
     if (!diagonal)
-        snprintf(scene->x_label, sizeof scene->x_label, "right %s", formula->unit);
+        snprintf(scene->x_label, sizeof scene->x_label, "right %s", formula->unit.en);
     else if (formula->parameter[1])
         snprintf(scene->x_label, sizeof scene->x_label, "%s = %s", formula->parameter[0],
                  formula->parameter[1]);
     else
         snprintf(scene->x_label, sizeof scene->x_label, "%s", formula->parameter[0]);
-    snprintf(scene->y_label, sizeof scene->y_label, "%s", formula->unit);
+    snprintf(scene->y_label, sizeof scene->y_label, "%s", formula->unit.en);
     if (add_curve(scene, "submission", formula, rows, row_count, answers, diagonal, err))
         return -1;
     return add_curve(scene, "right", formula, rows, row_count, NULL, diagonal, err);
@@ -157,13 +168,15 @@ int formula_judge(const struct formula *formula, const int32_t *rows, int64_t ro
     const struct formula_mistake *mistake = find_mistake(formula, rows, row_count, answers);
     char place[PLACE_BYTES];
     name_place(formula, rows + 2 * first, place);
-    judge_name_element(out, "%s", place);
+    judge_name(out, "%s", "%s", place);
     int64_t right = right_at(formula, rows, first);
-    judge_reject(out, mistake ? mistake->cause : "wrong-formula",
-                 "%s for %s: %" PRId64 " %s%.0s, right is %" PRId64 ".%s%s%.0s",
-                 "%s para %s: %" PRId64 " %.0s%s, lo correcto es %" PRId64 ".%s%.0s%s",
-                 formula->function, place, answers[first], formula->unit, formula->unit_es, right,
-                 mistake ? " " : "", mistake ? mistake->hint : "", mistake ? mistake->hint_es : "");
+    if (judge_reject_for(out, mistake ? &mistake->cause : &wrong_formula)) {
+        judge_en(out, "%s for %s: %" PRId64 " %s, right is %" PRId64 ".", formula->function, place,
+                 answers[first], formula->unit.en, right);
+        judge_es(out, "%s para %s: %" PRId64 " %s, lo correcto es %" PRId64 ".", formula->function,
+                 place, answers[first], formula->unit.es, right);
+        judge_hint(out, mistake ? mistake->hint : (struct phrase){NULL, NULL});
+    }
     return show_curves(formula, rows, row_count, answers, &out->scene, err);
 }
 
@@ -176,14 +189,16 @@ void number_judge(const struct number *number, double answer, struct judgement *
         return;
     }
     const struct number_mistake *mistake = number->mistakes;
-    while (mistake && mistake->cause && !(fabs(answer - mistake->value) <= number->tolerance))
+    while (mistake && mistake->cause.slug && !(fabs(answer - mistake->value) <= number->tolerance))
         mistake++;
-    bool known = mistake && mistake->cause;
-    judge_name_element(out, "%s", number->function);
-    judge_reject(out, known ? mistake->cause : "wrong-number", "%s says %.10g. %s%.0s%s%s%.0s",
-                 "%s dice %.10g. %.0s%s%s%.0s%s", number->function, answer, number->rule,
-                 number->rule_es, known ? " " : "", known ? mistake->hint : "",
-                 known ? mistake->hint_es : "");
+    bool known = mistake && mistake->cause.slug;
+    judge_name(out, "%s", "%s", number->function);
+    if (!judge_reject_for(out, known ? &mistake->cause : &wrong_number))
+        return;
+    judge_en(out, "%s says %.10g. %s", number->function, answer, number->rule.en);
+    judge_es(out, "%s dice %.10g. %s", number->function, answer, number->rule.es);
+    if (known)
+        judge_hint(out, mistake->hint);
 }
 
 /* -------------------------------------------------------------------- sizes */
@@ -196,7 +211,7 @@ void size_judge(const struct size_claim *claim, const struct usage *usage, struc
         fits = !__builtin_sub_overflow(usage->heap_held_bytes, usage->heap_left_bytes, &measured) &&
                !__builtin_add_overflow(measured, claim->outside_bytes, &measured);
     if (usage->known && (!fits || measured != claim->right_bytes)) {
-        judge_reject(out, "measured-size",
+        judge_reject(out, &measured_size,
                      "%s built a structure of %" PRId64 " bytes (measured); %s says %" PRId64
                      ", and the tables take %" PRId64 ".",
                      "%s ha construido una estructura de %" PRId64
@@ -206,7 +221,7 @@ void size_judge(const struct size_claim *claim, const struct usage *usage, struc
         return;
     }
     if (claim->own_bytes != claim->right_bytes) {
-        judge_reject(out, "formula-differs",
+        judge_reject(out, &formula_differs,
                      "%s says %" PRId64 " bytes, but what %s built takes %" PRId64 ".",
                      "%s dice %" PRId64 " bytes, pero lo que %s ha construido ocupa %" PRId64 ".",
                      claim->formula, claim->own_bytes, claim->builder, claim->right_bytes);

@@ -8,17 +8,17 @@
 
 #include "graders/judges/judge.h"
 
-/* A usual mistake: the value that it leads to. The hints are whole sentences. */
+/* A usual mistake: the value that it leads to. Hints are whole sentences. */
 struct formula_mistake {
-    const char *cause; /* slug; NULL ends a list */
+    struct cause cause; /* slug NULL ends a list */
     int64_t (*value)(int64_t a, int64_t b);
-    const char *hint, *hint_es;
+    struct phrase hint;
 };
 
 struct formula {
-    const char *function;       /* "indexed_grid_bytes" */
-    const char *parameter[2];   /* "m", "n"; the second is NULL when there is one parameter */
-    const char *unit, *unit_es; /* "bytes" */
+    const char *function;     /* "indexed_grid_bytes" */
+    const char *parameter[2]; /* "m", "n"; the second is NULL when there is one parameter */
+    struct phrase unit;       /* "bytes" */
     int64_t (*value)(int64_t a, int64_t b);
     const struct formula_mistake *mistakes; /* may be NULL */
 };
@@ -34,16 +34,16 @@ int formula_judge(const struct formula *formula, const int32_t *rows, int64_t ro
                   const int64_t *answers, struct judgement *out, struct error *err) MUST_CHECK;
 
 struct number_mistake {
-    const char *cause; /* slug; NULL ends a list */
+    struct cause cause; /* slug NULL ends a list */
     double value;
-    const char *hint, *hint_es;
+    struct phrase hint;
 };
 
 struct number {
     const char *function; /* "indexed_grid_kilobytes" */
     double value;
     double tolerance;                      /* absolute */
-    const char *rule, *rule_es;            /* what was asked, without the value */
+    struct phrase rule;                    /* what was asked, without the value */
     const struct number_mistake *mistakes; /* may be NULL */
 };
 
@@ -56,10 +56,11 @@ void number_judge(const struct number *number, double answer, struct judgement *
 
 /* The size of what a builder made.
  *
- * builder, formula   names of the student's functions
- * outside_bytes      bytes of the formula that do not lie on the heap (a count in the caller's
- * struct) own_bytes          what the student's formula says right_bytes        what the structure
- * takes */
+ *     builder, formula   names of the student's functions
+ *     outside_bytes      bytes of the formula that do not lie on the heap: a count in the caller's
+ *                        struct
+ *     own_bytes          what the student's formula says
+ *     right_bytes        what the structure takes */
 struct size_claim {
     const char *builder, *formula;
     int64_t outside_bytes, own_bytes, right_bytes;

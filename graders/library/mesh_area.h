@@ -2,7 +2,7 @@
 #ifndef GRADERS_LIBRARY_MESH_AREA_H
 #define GRADERS_LIBRARY_MESH_AREA_H
 
-#include "graders/library/mesh_case.h"
+#include "graders/library/mesh_input.h"
 
 /* Sums over all triangles. */
 struct area_sums {

@@ -1,7 +1,6 @@
 /* Texts in both languages; see phrase.h. */
 #include "reference/base/phrase.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -47,11 +46,22 @@ static void append_both(struct message *message, const char *en, const char *es,
     va_end(again);
 }
 
+void message_append(struct message *message, enum language language, const char *format,
+                    va_list arguments)
+{
+    append(language == LANGUAGE_ES ? message->es : message->en, format, arguments);
+}
+
+void message_clear(struct message *message)
+{
+    message->en[0] = message->es[0] = '\0';
+}
+
 void message_say(struct message *message, const char *en, const char *es, ...)
 {
     va_list arguments;
     va_start(arguments, es);
-    message->en[0] = message->es[0] = '\0';
+    message_clear(message);
     append_both(message, en, es, arguments);
     va_end(arguments);
 }

@@ -15,6 +15,8 @@
 #ifndef REFERENCE_BASE_PHRASE_H
 #define REFERENCE_BASE_PHRASE_H
 
+#include <stdarg.h>
+
 enum language { LANGUAGE_EN, LANGUAGE_ES, LANGUAGE_COUNT };
 
 struct phrase {
@@ -57,6 +59,13 @@ void message_en(struct message *message, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void message_es(struct message *message, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/* The same with the arguments as a list, for functions that say messages of their own. */
+void message_append(struct message *message, enum language language, const char *format,
+                    va_list arguments) __attribute__((format(printf, 3, 0)));
+
+/* No text. */
+void message_clear(struct message *message);
 
 /* Appends a phrase. */
 void message_add_phrase(struct message *message, struct phrase phrase);

@@ -27,7 +27,7 @@ static json_t *family_json(const struct trial *trial, int family)
                                   json_integer(yardstick->costs[family][i].counts.instructions));
     }
     json_t *json =
-        json_pack("{s:s, s:o, s:o, s:o}", "name", yardstick->judge->families[family], "sizes",
+        json_pack("{s:s, s:o, s:o, s:o}", "name", judge_family_name(yardstick->judge, family), "sizes",
                   sizes, "instructions", mine, "reference_instructions", theirs);
     if (found->fitted)
         json_object_set_new(json, "fit", fit_json(&found->fit));
@@ -56,7 +56,7 @@ static json_t *family_memory_json(const struct trial *trial, int family)
         json_array_append_new(mine, json_integer(cost->heap_peak_bytes));
         json_array_append_new(theirs, json_integer(yardstick->costs[family][i].heap_peak_bytes));
     }
-    return json_pack("{s:s, s:o, s:o, s:o}", "name", yardstick->judge->families[family], "sizes",
+    return json_pack("{s:s, s:o, s:o, s:o}", "name", judge_family_name(yardstick->judge, family), "sizes",
                      sizes, "peak_bytes", mine, "reference_peak_bytes", theirs);
 }
 

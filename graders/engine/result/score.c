@@ -138,7 +138,7 @@ static void write_seed_option(const struct yardstick *yardstick, const struct ju
                               char *text, size_t capacity)
 {
     size_t used = strlen(text);
-    if (yardstick->class_seed != SEED_PUBLISHED && !c->is_public && used < capacity)
+    if (yardstick->class_seed != SEED_PUBLISHED && !judge_case_is_public(c) && used < capacity)
         snprintf(text + used, capacity - used, " --seed %u", yardstick->class_seed);
 }
 
@@ -157,7 +157,7 @@ static json_t *case_json(struct trial *trial, size_t index, const struct submitt
         json_pack("{s:s, s:s, s:s, s:s, s:o, s:s, s:b, s:s}", "name", c->name, "class",
                   c->class_name, "verdict", verdict_name(attempt->verdict), "cause", attempt->cause,
                   "message", phrase_json(attempt->message, attempt->message_es), "seed", seed,
-                  "public", c->is_public, "reproduce", reproduce);
+                  "public", judge_case_is_public(c), "reproduce", reproduce);
     if (rejected)
         json_object_set_new(json, "element", text_json(attempt->element));
     if (rejected && attempt->scene) {

@@ -212,9 +212,9 @@ int attempt_judge(const struct yardstick *yardstick, const struct input *input,
     const struct judgement *judgement = &examination.judgement;
     attempt->verdict = judgement->accepted ? VERDICT_PASSED : VERDICT_WRONG_ANSWER;
     snprintf(attempt->cause, sizeof attempt->cause, "%s", judgement->cause);
-    snprintf(attempt->message, sizeof attempt->message, "%s", judgement->message);
-    snprintf(attempt->message_es, sizeof attempt->message_es, "%s", judgement->message_es);
-    snprintf(attempt->element, sizeof attempt->element, "%s", judgement->element);
+    snprintf(attempt->message, sizeof attempt->message, "%s", judgement->message.en);
+    snprintf(attempt->message_es, sizeof attempt->message_es, "%s", judgement->message.es);
+    snprintf(attempt->element, sizeof attempt->element, "%s", judgement->element.en);
     attempt->scene = examination.scene;
     examination.scene = NULL;
     examination_release(&examination);

@@ -13,7 +13,7 @@ struct attempt {
     enum verdict verdict; /* PASSED: the answer was accepted */
     char cause[48];
     char element[96];
-    char message[JUDGEMENT_TEXT], message_es[JUDGEMENT_TEXT];
+    char message[MESSAGE_BYTES], message_es[MESSAGE_BYTES];
     json_t *scene;         /* may be NULL; owned */
     struct control claims; /* of the call; all zero when it never came back */
     bool uncounted;        /* the program has no allocation shim: the judge hears of no usage */

@@ -14,7 +14,7 @@ bool trial_case_in_scope(const struct judge_case *c, const struct trial_scope *s
 {
     if (scope->only_case)
         return strcmp(c->name, scope->only_case) == 0;
-    return (!scope->public_only || c->is_public) && (!scope->quick || c->is_quick);
+    return (!scope->public_only || judge_case_is_public(c)) && (!scope->quick || judge_case_is_quick(c));
 }
 
 static bool is_time_limit(enum verdict verdict)

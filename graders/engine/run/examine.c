@@ -43,7 +43,7 @@ _Noreturn static void judge_and_exit(const struct judge *judge, struct span inpu
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     setrlimit(RLIMIT_CPU, &cpu);
     setrlimit(RLIMIT_CORE, &none);
-    if (judge->judge(input, answer, usage, &message.judgement, &message.err) != 0) {
+    if (judge_answer(judge, input, answer, usage, &message.judgement, &message.err) != 0) {
         write_whole(file, &message, sizeof message);
         _exit(EXIT_FAILED);
     }

@@ -26,10 +26,10 @@ static void blame_failure(struct trial *trial, int family, int size_index,
     for (int i = 0; i < SIZED_CHECKS; i++) {
         struct check_result *check = &trial->checks[sized_checks[i]];
         check_say(check, verdict, failure->cause, "With the input %s of size %lld: %s",
-                  "Con la entrada %s de tamaño %lld: %s", yardstick->judge->families[family],
+                  "Con la entrada %s de tamaño %lld: %s", judge_family_name(yardstick->judge, family),
                   (long long)yardstick->sizes[size_index], failure->message);
         snprintf(check->message_es, sizeof check->message_es,
-                 "Con la entrada %s de tamaño %lld: %s", yardstick->judge->families[family],
+                 "Con la entrada %s de tamaño %lld: %s", judge_family_name(yardstick->judge, family),
                  (long long)yardstick->sizes[size_index], failure->message_es);
     }
 }
@@ -126,7 +126,7 @@ static int judge_growth(struct trial *trial, int family, bool *right, struct err
                   "%s.",
                   "Con las entradas %s el trabajo crece como %s (exponente %.2f); se admite "
                   "%s.",
-                  trial->yardstick->judge->families[family], growth_class_name(found->fit.class),
+                  judge_family_name(trial->yardstick->judge, family), growth_class_name(found->fit.class),
                   found->fit.exponent, exercise->growth_allowed);
     return 0;
 }
@@ -249,7 +249,7 @@ static int check_counts(struct trial *trial, struct error *err)
                       "Con las entradas %s el coste contado es %.2f veces el de la referencia, "
                       "pero con mallas nuevas el tiempo es más de %.0f veces, o no responde: debe "
                       "mirarlo una persona.",
-                      trial->yardstick->judge->families[family], ratio, bound);
+                      judge_family_name(trial->yardstick->judge, family), ratio, bound);
         return 0;
     }
     return 0;

@@ -25,7 +25,7 @@ static int make_fresh(struct pace *pace, struct error *err)
     const struct yardstick *yardstick = pace->trial->yardstick;
     struct input *input = &pace->fresh;
     struct writer writer = writer_growing();
-    int result = yardstick->judge->make_sized(pace->family, yardstick->sizes[pace->size_index],
+    int result = judge_make_sized(yardstick->judge, pace->family, yardstick->sizes[pace->size_index],
                                               pace->seed + pace->pairs, &writer, err);
     if (result == 0 && (writer.failed || writer.count > input->region.capacity))
         result = error_set(err, "judge %s: inputs of one size differ in bytes",

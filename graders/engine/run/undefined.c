@@ -114,7 +114,7 @@ static bool is_wanted(const struct trial *trial, size_t index, size_t input_byte
     const char *cause = trial->cases[index].attempt.cause;
     if (verdict == VERDICT_CRASH && (strcmp(cause, "abort") == 0 || strcmp(cause, "exit") == 0))
         return false;
-    return trial->cases[index].run && trial->yardstick->cases[index].bytes <= input_bytes &&
+    return trial->cases[index].run && trial->yardstick->cases[index].weight <= input_bytes &&
            (verdict == VERDICT_PASSED || verdict == VERDICT_WRONG_ANSWER ||
             verdict == VERDICT_CRASH || verdict == VERDICT_UNDEFINED_BEHAVIOUR);
 }

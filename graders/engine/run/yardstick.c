@@ -38,7 +38,7 @@ static int seed_judge(struct yardstick *yardstick, const struct judge *judge, ui
     if (class_seed != SEED_PUBLISHED) {
         yardstick->seed = mix_seed(SIZED_SEED, class_seed);
         for (size_t i = 0; i < judge->case_count; i++)
-            if (!judge->cases[i].is_public)
+            if (!judge_case_is_public(&judge->cases[i]))
                 yardstick->seeded_cases[i].seed = mix_seed(judge->cases[i].seed, class_seed);
     }
     yardstick->class_seed = class_seed;
@@ -60,7 +60,9 @@ static int seal_input(const struct judge *judge, struct writer *writer, struct i
         return -1;
     memcpy(input->region.bytes, writer->bytes, writer->count);
     input->bytes = writer->count;
-    input->answer_bound = judge->answer_bound((struct span){input->region.bytes, input->bytes});
+    struct span packet = {input->region.bytes, input->bytes};
+    input->answer_bound = judge_answer_bound(judge, packet);
+    input->weight = judge_input_weight(judge, packet);
     return 0;
 }
 
@@ -68,7 +70,7 @@ static int make_case(struct yardstick *yardstick, size_t index, struct error *er
 {
     const struct judge *judge = yardstick->judge;
     struct writer writer = writer_growing();
-    int result = judge->make(&judge->cases[index], yardstick->models, &writer, err);
+    int result = judge_make(judge, &judge->cases[index], yardstick->models, &writer, err);
     if (result == 0)
         result = seal_input(judge, &writer, &yardstick->cases[index], err);
     writer_release(&writer);
@@ -105,7 +107,7 @@ int yardstick_make_cases(struct yardstick *yardstick, bool public_only, struct e
 {
     const struct input *input;
     for (size_t i = 0; i < yardstick->judge->case_count; i++)
-        if ((yardstick->judge->cases[i].is_public || !public_only) &&
+        if ((judge_case_is_public(&yardstick->judge->cases[i]) || !public_only) &&
             yardstick_case(yardstick, i, &input, err) != 0)
             return -1;
     return 0;
@@ -119,7 +121,7 @@ int yardstick_sized(struct yardstick *yardstick, int family, int size_index,
     if (made->bytes != 0)
         return 0;
     struct writer writer = writer_growing();
-    int result = yardstick->judge->make_sized(family, yardstick->sizes[size_index], yardstick->seed,
+    int result = judge_make_sized(yardstick->judge, family, yardstick->sizes[size_index], yardstick->seed,
                                               &writer, err);
     if (result == 0)
         result = seal_input(yardstick->judge, &writer, made, err);
@@ -162,11 +164,9 @@ static int build_reference(struct yardstick *yardstick, struct error *err)
 static void choose_sizes(struct yardstick *yardstick)
 {
     const struct exercise *exercise = yardstick->exercise;
-    const char *const *families = yardstick->judge->families;
-    if (!exercise->checked[CHECK_GROWTH] || !families)
+    if (!exercise->checked[CHECK_GROWTH])
         return;
-    while (families[yardstick->family_count] && yardstick->family_count < FAMILIES_MAX)
-        yardstick->family_count++;
+    yardstick->family_count = judge_family_count(yardstick->judge);
     yardstick->size_count = exercise->growth_doublings + 1;
     for (int i = 0; i < yardstick->size_count + EXTRA_DOUBLINGS; i++)
         yardstick->sizes[i] = exercise->growth_first_size << i;
@@ -189,7 +189,7 @@ static int measure_reference(struct yardstick *yardstick, struct error *err)
         }
         if (result == 0 && verdict != VERDICT_PASSED)
             result = error_set(err, "exercise %s: the reference fails on %s: %s %s",
-                               yardstick->exercise->name, yardstick->judge->families[family],
+                               yardstick->exercise->name, judge_family_name(yardstick->judge, family),
                                run.failure.cause, run.failure.message);
         attempt_release(&run.failure);
         if (result != 0)
@@ -226,6 +226,9 @@ int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise,
     const struct judge *judge = judge_find(exercise->name);
     if (!judge)
         return error_set(err, "exercise %s: this program has no judge for it", exercise->name);
+    if (judge_family_count(judge) > FAMILIES_MAX)
+        return error_set(err, "judge %s: %d families of sizes, at most %d can be measured",
+                         exercise->name, judge_family_count(judge), FAMILIES_MAX);
     const char *root = project_root(err);
     if (!root || seed_judge(yardstick, judge, class_seed, err) != 0 ||
         allocate(yardstick, err) != 0 || build_reference(yardstick, err) != 0)

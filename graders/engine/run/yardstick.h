@@ -15,7 +15,8 @@
 struct input {
     struct region region;
     size_t bytes;        /* used of the region; 0: not made */
-    size_t answer_bound; /* most bytes of a right answer */
+    size_t answer_bound; /* most bytes of an answer */
+    size_t weight;       /* bytes, or memory that it makes a program take: judge_input_weight */
 };
 
 /* What one call on a sized input cost. */

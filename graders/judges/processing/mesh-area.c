@@ -6,145 +6,91 @@
  *
  * Classes are pure: only the tori of `closed` have more than 2 (V - 2) triangles, only `open` has
  * odd numbers of them (and `single-triangle`), only `many-triangles` has more than 400. */
+#include "graders/judges/judge.h"
 #include "graders/library/mesh_area.h"
 
-#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 
-enum { HIDDEN = false, PUBLIC = true, QUICK = true, FULL = false };
-enum { LARGE_GRID = 1000 }; /* a shape of this exercise alone: a rows, b columns, b odd */
 enum { SHOWN_TRIANGLES = 1000000 };
 
 static const double ALLOWED = 1e-6;
 
-static const char CLOSED[] = "closed";
-static const char SINGLE[] = "single-triangle";
-static const char OPEN[] = "open";
-static const char FLIPS[] = "orientation";
-static const char FLAT[] = "degenerate";
-static const char NEEDLES[] = "needles";
-static const char DISTANT[] = "far-from-origin";
-static const char SCALE[] = "scale";
-static const char MANY[] = "many-triangles";
-static const char EMPTY[] = "empty";
-
 static const struct judge_case cases[] = {
-    {"tetrahedron", CLOSED, 1, {SHAPE_TETRAHEDRON}, PUBLIC, QUICK},
-    {"cube", CLOSED, 2, {SHAPE_CUBE}, PUBLIC, QUICK},
-    {"icosphere", CLOSED, 3, {SHAPE_ICO, 2, 0, TILTED | SCRAMBLED}, HIDDEN, QUICK},
-    {"torus", CLOSED, 4, {SHAPE_TORUS, 1, 300, TILTED | SCRAMBLED}, HIDDEN, QUICK},
-    {"torus-genus-2", CLOSED, 5, {SHAPE_TORUS, 2, 400, SCRAMBLED}, HIDDEN, FULL},
+    {"tetrahedron", "closed", 1, PUBLIC | QUICK, .mesh = {SHAPE_TETRAHEDRON}},
+    {"cube", "closed", 2, PUBLIC | QUICK, .mesh = {SHAPE_CUBE}},
+    {"icosphere", "closed", 3, QUICK,
+     .mesh = {SHAPE_ICO, .levels = 2, .changes = TILTED | SCRAMBLED}},
+    {"torus", "closed", 4, QUICK,
+     .mesh = {SHAPE_TORUS, .genus = 1, .triangles = 300, .changes = TILTED | SCRAMBLED}},
+    {"torus-genus-2", "closed", 5, HIDDEN,
+     .mesh = {SHAPE_TORUS, .genus = 2, .triangles = 400, .changes = SCRAMBLED}},
 
-    {"one-triangle", SINGLE, 11, {SHAPE_ONE_TRIANGLE}, PUBLIC, QUICK},
-    {"one-triangle-tilted", SINGLE, 12, {SHAPE_ONE_TRIANGLE, 0, 0, TILTED}, HIDDEN, QUICK},
+    {"one-triangle", "single-triangle", 11, PUBLIC | QUICK, .mesh = {SHAPE_ONE_TRIANGLE}},
+    {"one-triangle-tilted", "single-triangle", 12, QUICK,
+     .mesh = {SHAPE_ONE_TRIANGLE, .changes = TILTED}},
 
-    {"grid", OPEN, 21, {SHAPE_GRID, 4, 8}, PUBLIC, QUICK},
-    {"fan", OPEN, 22, {SHAPE_FAN, 7, 0, TILTED}, PUBLIC, QUICK},
-    {"disc", OPEN, 23, {SHAPE_DISC, 8, 11, TILTED | SCRAMBLED}, HIDDEN, QUICK},
+    {"grid", "open", 21, PUBLIC | QUICK, .mesh = {SHAPE_GRID, .rows = 4, .columns = 8}},
+    {"fan", "open", 22, PUBLIC | QUICK, .mesh = {SHAPE_FAN, .count = 7, .changes = TILTED}},
+    {"disc", "open", 23, QUICK,
+     .mesh = {SHAPE_DISC, .rings = 8, .sectors = 11, .changes = TILTED | SCRAMBLED}},
 
-    {"cube-flipped", FLIPS, 31, {SHAPE_CUBE, 0, 0, FLIPPED}, PUBLIC, QUICK},
-    {"grid-flipped", FLIPS, 32, {SHAPE_GRID, 10, 12, FLIPPED | SCRAMBLED}, HIDDEN, QUICK},
-    {"moebius-strip", FLIPS, 33, {SHAPE_MOEBIUS, 30, 0, FLIPPED | SCRAMBLED}, HIDDEN, QUICK},
+    {"cube-flipped", "orientation", 31, PUBLIC | QUICK, .mesh = {SHAPE_CUBE, .changes = FLIPPED}},
+    {"grid-flipped", "orientation", 32, QUICK,
+     .mesh = {SHAPE_GRID, .rows = 10, .columns = 12, .changes = FLIPPED | SCRAMBLED}},
+    {"moebius-strip", "orientation", 33, QUICK,
+     .mesh = {SHAPE_MOEBIUS, .count = 30, .changes = FLIPPED | SCRAMBLED}},
 
-    {"cube-repeated", FLAT, 41, {SHAPE_CUBE, 0, 0, WITH_DEGENERATE | WITH_SPIKES}, PUBLIC, QUICK},
-    {"icosphere-repeated", FLAT, 42, {SHAPE_ICO, 2, 0, WITH_DEGENERATE}, HIDDEN, FULL},
-    {"cube-collinear", FLAT, 43, {SHAPE_CUBE, 0, 0, WITH_COLLINEAR}, HIDDEN, QUICK},
-    {"icosphere-collinear", FLAT, 44, {SHAPE_ICO, 2, 0, WITH_COLLINEAR | TILTED}, HIDDEN, FULL},
-    {"only-points", FLAT, 45, {SHAPE_POINT_TRIANGLES, 6}, HIDDEN, QUICK},
+    {"cube-repeated", "degenerate", 41, PUBLIC | QUICK,
+     .mesh = {SHAPE_CUBE, .changes = WITH_DEGENERATE | WITH_SPIKES}},
+    {"icosphere-repeated", "degenerate", 42, HIDDEN,
+     .mesh = {SHAPE_ICO, .levels = 2, .changes = WITH_DEGENERATE}},
+    {"cube-collinear", "degenerate", 43, QUICK, .mesh = {SHAPE_CUBE, .changes = WITH_COLLINEAR}},
+    {"icosphere-collinear", "degenerate", 44, HIDDEN,
+     .mesh = {SHAPE_ICO, .levels = 2, .changes = WITH_COLLINEAR | TILTED}},
+    {"only-points", "degenerate", 45, QUICK, .mesh = {SHAPE_POINT_TRIANGLES, .count = 6}},
 
-    {"needles-1000", NEEDLES, 51, {SHAPE_NEEDLES, 200, 3, TILTED}, PUBLIC, QUICK},
-    {"needles-1000000", NEEDLES, 52, {SHAPE_NEEDLES, 200, 6, TILTED}, HIDDEN, QUICK},
-    {"long-needles", NEEDLES, 53, {SHAPE_NEEDLES, 8, 6, TILTED}, HIDDEN, QUICK},
+    {"needles-1000", "needles", 51, PUBLIC | QUICK,
+     .mesh = {SHAPE_NEEDLES, .count = 200, .exponent = 3, .changes = TILTED}},
+    {"needles-1000000", "needles", 52, QUICK,
+     .mesh = {SHAPE_NEEDLES, .count = 200, .exponent = 6, .changes = TILTED}},
+    {"long-needles", "needles", 53, QUICK,
+     .mesh = {SHAPE_NEEDLES, .count = 8, .exponent = 6, .changes = TILTED}},
 
-    {"icosphere-far", DISTANT, 61, {SHAPE_ICO, 2, 0, FAR}, PUBLIC, QUICK},
-    {"grid-far", DISTANT, 62, {SHAPE_GRID, 10, 12, FAR | SCRAMBLED}, HIDDEN, QUICK},
+    {"icosphere-far", "far-from-origin", 61, PUBLIC | QUICK,
+     .mesh = {SHAPE_ICO, .levels = 2, .changes = FAR}},
+    {"grid-far", "far-from-origin", 62, QUICK,
+     .mesh = {SHAPE_GRID, .rows = 10, .columns = 12, .changes = FAR | SCRAMBLED}},
 
-    {"icosphere-tiny", SCALE, 71, {SHAPE_ICO, 2, 0, TINY | TILTED}, PUBLIC, QUICK},
-    {"icosphere-huge", SCALE, 72, {SHAPE_ICO, 2, 0, HUGE_SIZE | TILTED}, HIDDEN, QUICK},
+    {"icosphere-tiny", "scale", 71, PUBLIC | QUICK,
+     .mesh = {SHAPE_ICO, .levels = 2, .changes = TINY | TILTED}},
+    {"icosphere-huge", "scale", 72, QUICK,
+     .mesh = {SHAPE_ICO, .levels = 2, .changes = HUGE_SIZE | TILTED}},
 
-    {"nothing", EMPTY, 91, {SHAPE_EMPTY}, PUBLIC, QUICK},
-    {"only-vertices", EMPTY, 92, {SHAPE_ISOLATED, 7}, HIDDEN, QUICK},
+    {"nothing", "empty", 91, PUBLIC | QUICK, .mesh = {SHAPE_EMPTY}},
+    {"only-vertices", "empty", 92, QUICK, .mesh = {SHAPE_ISOLATED, .count = 7}},
 
     /* Last, because cases after two that do not end in time are not run. */
-    {"bunny", MANY, 84, {SHAPE_BUNNY}, PUBLIC, QUICK},
-    {"horse", MANY, 85, {SHAPE_HORSE, 0, 0, SCRAMBLED}, HIDDEN, FULL},
-    {"100000-triangles", MANY, 81, {SHAPE_GRID, 250, 200, SCRAMBLED}, HIDDEN, QUICK},
-    {"1000000-triangles", MANY, 82, {SHAPE_UV_SPHERE, 1000, 500}, HIDDEN, FULL},
-    {"10000000-triangles", MANY, 83, {LARGE_GRID, 1600, 3125}, HIDDEN, FULL},
+    {"bunny", "many-triangles", 84, PUBLIC | QUICK, .mesh = {SHAPE_BUNNY}},
+    {"horse", "many-triangles", 85, HIDDEN, .mesh = {SHAPE_HORSE, .changes = SCRAMBLED}},
+    {"100000-triangles", "many-triangles", 81, QUICK,
+     .mesh = {SHAPE_GRID, .rows = 250, .columns = 200, .changes = SCRAMBLED}},
+    {"1000000-triangles", "many-triangles", 82, HIDDEN,
+     .mesh = {SHAPE_UV_SPHERE, .meridians = 1000, .parallels = 500}},
 };
 
-/* --------------------------------------------------------------------------------------- inputs */
+static const struct size_family families[] = {
+    {"grid-scrambled", FAMILY_GRID, SCRAMBLED},
+    {"sphere-scrambled", FAMILY_SPHERE, SCRAMBLED},
+    {NULL},
+};
 
-static float wave(int64_t step, int64_t steps)
-{
-    return 0.08F * (float)sin(6 * (double)step / (double)steps);
-}
+static const struct answer_rule answer = {.function = "mesh_area", .result = RESULT_REAL};
 
-static void write_grid_vertices(struct writer *input, int64_t row, int64_t rows, int64_t columns)
-{
-    enum { ROOM = 64 };
-    float positions[3 * ROOM];
-    int64_t filled = 0;
-    for (int64_t c = 0; c <= columns; c++) {
-        positions[3 * filled] = (float)((double)c / (double)columns - 0.5);
-        positions[3 * filled + 1] = (float)((double)row / (double)rows - 0.5);
-        positions[3 * filled + 2] = wave(c, columns) + wave(row, rows);
-        if (++filled == ROOM || c == columns) {
-            write_array(input, positions, filled, 3 * sizeof(float));
-            filled = 0;
-        }
-    }
-}
-
-static void write_grid_triangles(struct writer *input, int64_t row, int64_t columns)
-{
-    for (int64_t c = 0; c < columns; c++) {
-        int32_t low = (int32_t)(row * (columns + 1) + c), high = low + (int32_t)columns + 1;
-        int32_t pair[6] = {low, low + 1, high + 1, low, high + 1, high};
-        write_array(input, pair, 2, 3 * sizeof(int32_t));
-    }
-}
-
-/* The packet of a grid, without the mesh beside it: ten million triangles take 180 MB once. All
- * pieces but the last of each table are multiples of 8 bytes, so that no padding comes between;
- * `columns` must be odd. */
-static int write_large_grid(int64_t rows, int64_t columns, struct writer *input, struct error *err)
-{
-    write_int(input, (rows + 1) * (columns + 1));
-    write_int(input, 2 * rows * columns);
-    for (int64_t row = 0; row <= rows; row++)
-        write_grid_vertices(input, row, rows, columns);
-    for (int64_t row = 0; row < rows; row++)
-        write_grid_triangles(input, row, columns);
-    if (input->failed)
-        return error_set(err, "out of memory: a grid of %" PRId64 " by %" PRId64 " cells", rows,
-                         columns);
-    return 0;
-}
-
-static int make(const struct judge_case *c, const char *models, struct writer *input,
-                struct error *err)
-{
-    if (c->parameter[0] == LARGE_GRID)
-        return write_large_grid(c->parameter[1], c->parameter[2], input, err);
-    return mesh_case_write_input(c, models, input, err);
-}
-
-static const char *const families[] = {"grid-scrambled", "sphere-scrambled", NULL};
-
-enum { FAMILY_WIDTH = 8 };
-
-static int make_sized(int family, int64_t size, uint64_t seed, struct writer *input,
-                      struct error *err)
-{
-    int64_t length = size / 2 / FAMILY_WIDTH;
-    const struct judge_case of_family[] = {
-        {.seed = seed, .parameter = {SHAPE_GRID, length, FAMILY_WIDTH, SCRAMBLED}},
-        {.seed = seed, .parameter = {SHAPE_UV_SPHERE, FAMILY_WIDTH, length, SCRAMBLED}},
-    };
-    return mesh_case_write_input(&of_family[family], NULL, input, err);
-}
+static const struct phrase triangle_noun = {"triangle", "triángulo"};
+static const struct cause not_a_number = {"not-a-number", {"not a number", "no es un número"}};
+static const struct cause negative_area = {"negative-area", {"negative area", "área negativa"}};
+static const struct cause wrong_area = {"wrong-area", {"wrong area", "área incorrecta"}};
 
 /* ---------------------------------------------------------------------------------------- hints */
 
@@ -153,50 +99,78 @@ static bool is_close(double value, double wanted)
     return fabs(value - wanted) <= ALLOWED * fabs(wanted);
 }
 
+/* What of the mesh explains a mistake. */
+enum focus { ON_ALL, ON_LAST_TRIANGLE, ON_FIRST_TRIANGLE, ON_FACING_UP };
+
 struct guess {
     double value; /* what the mistake gives on this mesh */
-    const char *english, *spanish;
+    struct phrase hint;
+    enum focus focus;
 };
 
-/* The mistake whose result the area is; empty sentences when it is none of them. A mistake that
+/* The mistake whose result the area is; no hint when it is none of them. A mistake that
  * this mesh does not show is no guess. */
 static struct guess guess_mistake(const struct area_sums *sums, int32_t triangle_count, double area)
 {
     const struct guess guesses[] = {
-        {2 * sums->exact, " It is twice the area: half of the cross product's length is the area.",
-         " Es el doble del área: el área es la mitad de la longitud del producto vectorial."},
-        {sums->exact / 2, " It is half of the area.", " Es la mitad del área."},
-        {-sums->exact, " It is the area with its sign reversed.",
-         " Es el área con el signo cambiado."},
-        {sums->exact / triangle_count, " It is the mean area of a triangle, not the sum.",
-         " Es el área media de un triángulo, no la suma."},
-        {sums->squares, " The square root of the cross product's squared length is missing.",
-         " Falta la raíz cuadrada del cuadrado de la longitud del producto vectorial."},
-        {sums->squares / 2, " The square root of the cross product's squared length is missing.",
-         " Falta la raíz cuadrada del cuadrado de la longitud del producto vectorial."},
-        {sums->without_last, " The last triangle is missing: does the loop stop one too early?",
-         " Falta el último triángulo: ¿acaba el bucle uno antes de tiempo?"},
-        {sums->without_first, " The first triangle is missing.", " Falta el primer triángulo."},
+        {2 * sums->exact,
+         {"It is twice the area: half of the cross product's length is the area.",
+          "Es el doble del área: el área es la mitad de la longitud del producto vectorial."},
+         ON_ALL},
+        {sums->exact / 2, {"It is half of the area.", "Es la mitad del área."}, ON_ALL},
+        {-sums->exact,
+         {"It is the area with its sign reversed.", "Es el área con el signo cambiado."},
+         ON_ALL},
+        {sums->exact / triangle_count,
+         {"It is the mean area of a triangle, not the sum.",
+          "Es el área media de un triángulo, no la suma."},
+         ON_ALL},
+        {sums->squares,
+         {"The square root of the cross product's squared length is missing.",
+          "Falta la raíz cuadrada del cuadrado de la longitud del producto vectorial."},
+         ON_ALL},
+        {sums->squares / 2,
+         {"The square root of the cross product's squared length is missing.",
+          "Falta la raíz cuadrada del cuadrado de la longitud del producto vectorial."},
+         ON_ALL},
+        {sums->without_last,
+         {"The last triangle is missing: does the loop stop one too early?",
+          "Falta el último triángulo: ¿acaba el bucle uno antes de tiempo?"},
+         ON_LAST_TRIANGLE},
+        {sums->without_first,
+         {"The first triangle is missing.", "Falta el primer triángulo."},
+         ON_FIRST_TRIANGLE},
         {sums->vector,
-         " The cross products were added as vectors: triangles that face opposite ways cancel.",
-         " Se sumaron los productos como vectores: los triángulos de caras opuestas se anulan."},
-        {sums->facing_up, " Only triangles that face upwards (z) are counted.",
-         " Solo se cuentan los triángulos que miran hacia arriba (z)."},
-        {sums->seen_from_z, " It is the area of the projection onto the plane z = 0.",
-         " Es el área de la proyección sobre el plano z = 0."},
-        {sums->by_float, " The sum is kept in a float: with this many terms its 24 bits run out.",
-         " La suma se guarda en un float: con tantos términos sus 24 bits no bastan."},
-        {sums->all_float, " Everything is computed in float; 24 bits do not suffice here.",
-         " Todo se calcula en float; aquí no bastan 24 bits."},
+         {"The cross products were added as vectors: triangles that face opposite ways cancel.",
+          "Se sumaron los productos como vectores: los triángulos de caras opuestas se anulan."},
+         ON_ALL},
+        {sums->facing_up,
+         {"Only triangles that face upwards (z) are counted.",
+          "Solo se cuentan los triángulos que miran hacia arriba (z)."},
+         ON_FACING_UP},
+        {sums->seen_from_z,
+         {"It is the area of the projection onto the plane z = 0.",
+          "Es el área de la proyección sobre el plano z = 0."},
+         ON_ALL},
+        {sums->by_float,
+         {"The sum is kept in a float: with this many terms its 24 bits run out.",
+          "La suma se guarda en un float: con tantos términos sus 24 bits no bastan."},
+         ON_ALL},
+        {sums->all_float,
+         {"Everything is computed in float; 24 bits do not suffice here.",
+          "Todo se calcula en float; aquí no bastan 24 bits."},
+         ON_ALL},
         {sums->absolute_float,
-         " Products of positions are taken in float: subtract positions first, and in double.",
-         " Se multiplican posiciones en float: hay que restarlas antes, y en double."},
+         {"Products of positions are taken in float: subtract positions first, and in double.",
+          "Se multiplican posiciones en float: hay que restarlas antes, y en double."},
+         ON_ALL},
     };
     if (is_close(area, sums->exact / 2) && is_close(area, sums->facing_up))
         return (struct guess){
             sums->facing_up,
-            " It is half of the area, which is that of the triangles facing upwards (z).",
-            " Es la mitad del área, que es la de los triángulos que miran hacia arriba (z)."};
+            {"It is half of the area, which is that of the triangles facing upwards (z).",
+             "Es la mitad del área, que es la de los triángulos que miran hacia arriba (z)."},
+            ON_FACING_UP};
     for (size_t i = 0; i < sizeof guesses / sizeof *guesses; i++) {
         double value = guesses[i].value;
         bool is_told_apart =
@@ -204,7 +178,7 @@ static struct guess guess_mistake(const struct area_sums *sums, int32_t triangle
         if (is_told_apart && is_close(area, value))
             return guesses[i];
     }
-    return (struct guess){0, "", ""};
+    return (struct guess){0, {NULL, NULL}, ON_ALL};
 }
 
 /* -------------------------------------------------------------------------------------- judging */
@@ -213,8 +187,8 @@ static int show_triangle(const struct mesh_view *view, enum mark_kind kind, int3
                          struct judgement *out, struct error *err)
 {
     const int32_t *v = view->triangles + 3 * (int64_t)triangle;
-    judge_name_element(out, "triangle %d (%d,%d,%d)", triangle, v[0], v[1], v[2]);
-    if (mesh_case_show(view, &out->scene, err))
+    judge_name_one(out, triangle_noun, "%d (%d,%d,%d)", triangle, v[0], v[1], v[2]);
+    if (mesh_input_show(view, &out->scene, err))
         return -1;
     scene_mark_triangle(&out->scene, kind, v[0], v[1], v[2]);
     return 0;
@@ -229,7 +203,7 @@ static int show_area(const struct mesh_view *view, double exact, double area, bo
     int64_t counted = 0;
     if (view->triangle_count == 0 || view->triangle_count > SHOWN_TRIANGLES)
         return 0;
-    if (mesh_case_show(view, scene, err))
+    if (mesh_input_show(view, scene, err))
         return -1;
     for (int32_t t = 0; t < view->triangle_count; t++) {
         const int32_t *v = view->triangles + 3 * (int64_t)t;
@@ -251,19 +225,19 @@ static int show_area(const struct mesh_view *view, double exact, double area, bo
 static int reject_not_finite(const struct mesh_view *view, const struct area_sums *sums,
                              double area, struct judgement *out, struct error *err)
 {
-    const char *kind = isnan(area) ? "NaN" : "infinity";
-    const char *kind_es = isnan(area) ? "NaN" : "infinito";
-    if (sums->first_flat < 0) {
-        judge_reject(out, "not-a-number", "the area is %s%.0s instead of %.9g.",
-                     "el área es %.0s%s en lugar de %.9g.", kind, kind_es, sums->exact);
+    if (!judge_reject_for(out, &not_a_number))
         return 0;
-    }
-    judge_reject(out, "not-a-number",
-                 "the area is %s%.0s instead of %.9g. Triangle %d has area 0: is something divided "
-                 "by a length of 0, or a root taken of a number below 0?",
-                 "el área es %.0s%s en lugar de %.9g. El triángulo %d tiene área 0: ¿se divide por "
-                 "una longitud 0, o se toma la raíz de un número negativo?",
-                 kind, kind_es, sums->exact, sums->first_flat);
+    judge_en(out, "the area is %s instead of %.9g.", isnan(area) ? "NaN" : "infinity", sums->exact);
+    judge_es(out, "el área es %s en lugar de %.9g.", isnan(area) ? "NaN" : "infinito", sums->exact);
+    if (sums->first_flat < 0)
+        return 0;
+    message_add(
+        &out->message,
+        " Triangle %d has area 0: is something divided by a length of 0, or a root taken of "
+        "a number below 0?",
+        " El triángulo %d tiene área 0: ¿se divide por una longitud 0, o se toma la raíz de "
+        "un número negativo?",
+        sums->first_flat);
     return show_triangle(view, MARK_DEGENERATE, sums->first_flat, out, err);
 }
 
@@ -274,60 +248,41 @@ static int reject_area(const struct mesh_view *view, double area, struct judgeme
     if (!isfinite(area))
         return reject_not_finite(view, &sums, area, out, err);
     struct guess guess = guess_mistake(&sums, view->triangle_count, area);
-    double error = sums.exact > 0 ? fabs(area - sums.exact) / sums.exact : HUGE_VAL;
-    judge_name_element(out, "total area");
+    judge_name(out, "total area", "área total");
     if (sums.exact > 0)
-        judge_reject(
-            out, area < 0 ? "negative-area" : "wrong-area",
-            "the area is %.9g instead of %.9g: relative error %.2g, allowed 1e-06.%s%.0s",
-            "el área es %.9g en lugar de %.9g: error relativo %.2g, permitido 1e-06.%.0s%s", area,
-            sums.exact, error, guess.english, guess.spanish);
+        judge_reject(out, area < 0 ? &negative_area : &wrong_area,
+                     "the area is %.9g instead of %.9g: relative error %.2g, allowed 1e-06.",
+                     "el área es %.9g en lugar de %.9g: error relativo %.2g, permitido 1e-06.",
+                     area, sums.exact, fabs(area - sums.exact) / sums.exact);
     else
-        judge_reject(out, "wrong-area", "the area is %.9g, but there is no area: it must be 0",
+        judge_reject(out, &wrong_area, "the area is %.9g, but there is no area: it must be 0",
                      "el área es %.9g, pero no hay área ninguna: debe ser 0", area);
-    if (view->triangle_count > 0 && guess.value == sums.without_last)
+    judge_hint(out, guess.hint);
+    if (view->triangle_count > 0 && guess.focus == ON_LAST_TRIANGLE)
         return show_triangle(view, MARK_MISSING, view->triangle_count - 1, out, err);
-    if (view->triangle_count > 0 && guess.value == sums.without_first)
+    if (view->triangle_count > 0 && guess.focus == ON_FIRST_TRIANGLE)
         return show_triangle(view, MARK_MISSING, 0, out, err);
-    bool facing_up = guess.english[0] && guess.value == sums.facing_up;
-    return show_area(view, sums.exact, area, facing_up, &out->scene, err);
+    return show_area(view, sums.exact, area, guess.focus == ON_FACING_UP, &out->scene, err);
 }
 
-static int judge_area(struct span input, struct span answer, const struct usage *usage,
-                      struct judgement *out, struct error *err)
+static int judge_area(const struct task *task, struct judgement *out, struct error *err)
 {
-    (void)usage;
-    struct mesh_view view = mesh_case_read(input);
-    struct reader reader = reader_of(answer.bytes, answer.count);
-    double area = read_real(&reader);
+    double area = task->answer.real, exact = mesh_area_exact(&task->mesh);
     out->scene.ok_count = -1;
-    if (reader.failed) {
-        judge_reject(out, "malformed-answer", "the answer is not a number",
-                     "la respuesta no es un número");
-        return 0;
-    }
-    double exact = mesh_area_exact(&view);
     if (fabs(area - exact) <= ALLOWED * exact) {
         judge_accept(out);
         return 0;
     }
-    return reject_area(&view, area, out, err);
-}
-
-static size_t answer_bound(struct span input)
-{
-    (void)input;
-    return sizeof(double);
+    return reject_area(&task->mesh, area, out, err);
 }
 
 const struct judge judge_mesh_area = {
     .exercise = "mesh-area",
     .cases = cases,
     .case_count = sizeof cases / sizeof *cases,
-    .make = make,
+    .input = INPUT_MESH,
     .families = families,
-    .make_sized = make_sized,
+    .answer = &answer,
     .answers_reals = true,
     .judge = judge_area,
-    .answer_bound = answer_bound,
 };

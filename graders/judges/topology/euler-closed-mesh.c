@@ -11,8 +11,8 @@
 enum given { VERTICES, EDGES, FACES };
 enum { ANSWERED = 0, IMPOSSIBLE = -1, ROW_NUMBERS = 4 };
 
-static const char *const names[] = {"vertices", "edges", "faces"};
-static const char *const names_es[] = {"vértices", "aristas", "caras"};
+static const struct phrase nouns[] = {
+    {"vertices", "vértices"}, {"edges", "aristas"}, {"faces", "caras"}};
 
 /* -------------------------------------------------------------------- cases */
 
@@ -66,22 +66,23 @@ static const struct rows row_sets[] = {
              INT64_MAX - 1, VERTICES, INT64_MIN, EDGES, INT64_MIN, FACES, INT64_MIN)};
 
 static const struct judge_case cases[] = {
-    {"solids-by-vertices", "vertices", 1, {ROWS_SOLIDS_V}, true, true},
-    {"meshes-by-vertices", "vertices", 2, {ROWS_MESHES_V}, false, true},
-    {"solids-by-edges", "edges", 3, {ROWS_SOLIDS_E}, true, true},
-    {"meshes-by-edges", "edges", 4, {ROWS_MESHES_E}, false, true},
-    {"solids-by-faces", "faces", 5, {ROWS_SOLIDS_F}, true, true},
-    {"meshes-by-faces", "faces", 6, {ROWS_MESHES_F}, false, true},
-    {"too-small", "impossible", 7, {ROWS_TOO_SMALL}, true, true},
-    {"odd-faces-and-edges", "impossible", 8, {ROWS_ODD}, false, true},
-    {"beyond-32-bits", "large", 9, {ROWS_LARGE}, true, true},
-    {"beyond-64-bits", "overflow", 10, {ROWS_BEYOND}, false, true}};
+    {"solids-by-vertices", "vertices", 1, PUBLIC | QUICK, .number = {ROWS_SOLIDS_V}},
+    {"meshes-by-vertices", "vertices", 2, QUICK, .number = {ROWS_MESHES_V}},
+    {"solids-by-edges", "edges", 3, PUBLIC | QUICK, .number = {ROWS_SOLIDS_E}},
+    {"meshes-by-edges", "edges", 4, QUICK, .number = {ROWS_MESHES_E}},
+    {"solids-by-faces", "faces", 5, PUBLIC | QUICK, .number = {ROWS_SOLIDS_F}},
+    {"meshes-by-faces", "faces", 6, QUICK, .number = {ROWS_MESHES_F}},
+    {"too-small", "impossible", 7, PUBLIC | QUICK, .number = {ROWS_TOO_SMALL}},
+    {"odd-faces-and-edges", "impossible", 8, QUICK, .number = {ROWS_ODD}},
+    {"beyond-32-bits", "large", 9, PUBLIC | QUICK, .number = {ROWS_LARGE}},
+    {"beyond-64-bits", "overflow", 10, QUICK, .number = {ROWS_BEYOND}},
+};
 
 static int make(const struct judge_case *c, const char *models, struct writer *input,
                 struct error *err)
 {
     (void)models;
-    const struct rows *rows = &row_sets[c->parameter[0]];
+    const struct rows *rows = &row_sets[c->number[0]];
     write_int(input, rows->count);
     write_array(input, rows->pairs, rows->count, 2 * sizeof *rows->pairs);
     return input->failed ? error_set(err, "out of memory for case %s", c->name) : 0;
@@ -115,73 +116,120 @@ static bool agrees(const int64_t *answer, const int64_t *right)
 
 /* -------------------------------------------------------------- explanations */
 
+static const struct cause malformed = {"malformed-answer",
+                                       {"incomplete answer", "respuesta incompleta"}};
+static const struct cause unknown_status = {"unknown-status",
+                                            {"unknown status", "estado desconocido"}};
+static const struct cause refused = {"refused", {"refused", "rechazada"}};
+static const struct cause overflow_accepted = {"overflow-accepted",
+                                               {"overflow accepted", "desbordamiento aceptado"}};
+static const struct cause impossible_accepted = {
+    "impossible-accepted", {"impossible mesh accepted", "malla imposible aceptada"}};
+
+/* Whether another number would be needed that no int64_t holds, of a count that is no problem
+ * otherwise. */
+static bool overflows(enum given given, int64_t count)
+{
+    return given == VERTICES ? count >= 4 : given == FACES && count >= 4 && count % 2 == 0;
+}
+
 static void reject_status(enum given given, int64_t count, const int64_t *answer,
                           const int64_t *right, struct judgement *out)
 {
-    if (answer[0] != ANSWERED && answer[0] != IMPOSSIBLE)
-        judge_reject(
-            out, "unknown-status",
-            "For %" PRId64 " %s%.0s the function returned %" PRId64 ", neither 0 nor IMPOSSIBLE.",
-            "Con %" PRId64 " %.0s%s la función ha devuelto %" PRId64 ", ni 0 ni IMPOSSIBLE.", count,
-            names[given], names_es[given], answer[0]);
-    else if (right[0] == ANSWERED)
-        judge_reject(
-            out, "refused",
-            "There is a mesh with %" PRId64 " %s%.0s, but the function returned IMPOSSIBLE.",
-            "Hay una malla con %" PRId64 " %.0s%s, pero la función ha devuelto IMPOSSIBLE.", count,
-            names[given], names_es[given]);
-    else if (given == VERTICES ? count >= 4 : given == FACES && count >= 4 && count % 2 == 0)
-        judge_reject(
-            out, "overflow-accepted",
-            "With %" PRId64 " %s%.0s another number does not fit into an int64_t: the answer is"
-            " IMPOSSIBLE.",
-            "Con %" PRId64 " %.0s%s otro de los números no cabe en un int64_t: la respuesta es"
-            " IMPOSSIBLE.",
-            count, names[given], names_es[given]);
-    else
-        judge_reject(out, "impossible-accepted",
-                     "No closed simply connected mesh has %" PRId64
-                     " %s%.0s: the answer is IMPOSSIBLE.",
-                     "Ninguna malla cerrada simplemente conexa tiene %" PRId64
-                     " %.0s%s: la respuesta es IMPOSSIBLE.",
-                     count, names[given], names_es[given]);
+    struct phrase noun = nouns[given];
+    if (answer[0] != ANSWERED && answer[0] != IMPOSSIBLE) {
+        judge_reject_for(out, &unknown_status);
+        judge_en(out,
+                 "For %" PRId64 " %s the function returned %" PRId64 ", neither 0 nor IMPOSSIBLE.",
+                 count, noun.en, answer[0]);
+        judge_es(out, "Con %" PRId64 " %s la función ha devuelto %" PRId64 ", ni 0 ni IMPOSSIBLE.",
+                 count, noun.es, answer[0]);
+    } else if (right[0] == ANSWERED) {
+        judge_reject_for(out, &refused);
+        judge_en(out, "There is a mesh with %" PRId64 " %s, but the function returned IMPOSSIBLE.",
+                 count, noun.en);
+        judge_es(out, "Hay una malla con %" PRId64 " %s, pero la función ha devuelto IMPOSSIBLE.",
+                 count, noun.es);
+    } else if (overflows(given, count)) {
+        judge_reject_for(out, &overflow_accepted);
+        judge_en(out,
+                 "With %" PRId64 " %s another number does not fit into an int64_t: the answer "
+                 "is IMPOSSIBLE.",
+                 count, noun.en);
+        judge_es(out,
+                 "Con %" PRId64 " %s otro de los números no cabe en un int64_t: la respuesta "
+                 "es IMPOSSIBLE.",
+                 count, noun.es);
+    } else {
+        judge_reject_for(out, &impossible_accepted);
+        judge_en(out,
+                 "No closed simply connected mesh has %" PRId64 " %s: the answer is IMPOSSIBLE.",
+                 count, noun.en);
+        judge_es(out,
+                 "Ninguna malla cerrada simplemente conexa tiene %" PRId64
+                 " %s: la respuesta es IMPOSSIBLE.",
+                 count, noun.es);
+    }
 }
 
-struct hint {
-    const char *cause, *text, *text_es;
+/* A cause, and the sentence that says why; each is computed from the numbers that it names. */
+struct reason {
+    struct cause cause;
+    struct phrase hint;
 };
 
-static struct hint hint_for(const int64_t *answer, const int64_t *right)
+static const struct reason exchanged = {
+    {"exchanged", {"exchanged", "cambiadas"}},
+    {"Edges and faces are exchanged.", "Aristas y caras están cambiadas."}};
+static const struct reason as_torus = {{"torus", {"torus", "toro"}},
+                                       {"V - E + F is 0, as on a torus; here it must be 2.",
+                                        "V - E + F es 0, como en un toro; aquí tiene que ser 2."}};
+static const struct reason overflow = {
+    {"overflow", {"overflow", "desbordamiento"}},
+    {"The number does not fit into 32 bits.", "El número no cabe en 32 bits."}};
+static const struct reason not_euler = {
+    {"not-euler", {"not Euler's formula", "no es la fórmula de Euler"}},
+    {"V - E + F is not 2.", "V - E + F no es 2."}};
+static const struct reason not_triangles = {
+    {"not-triangles", {"not triangles", "no son triángulos"}},
+    {"Euler's formula holds, but 3F is not 2E.",
+     "Se cumple la fórmula de Euler, pero 3F no es 2E."}};
+static const struct reason other_mesh = {
+    {"other-mesh", {"numbers of another mesh", "números de otra malla"}},
+    {"These are the numbers of another mesh: the count that was given is not among them.",
+     "Son los números de otra malla: el dado no está entre ellos."}};
+
+static const struct reason *reason_for(const int64_t *answer, const int64_t *right)
 {
+    uint64_t v = (uint64_t)answer[1], e = (uint64_t)answer[2], f = (uint64_t)answer[3];
+    uint64_t characteristic = v - e + f;
     if (answer[1] == right[1] && answer[2] == right[3] && answer[3] == right[2])
-        return (struct hint){"exchanged", "Edges and faces are exchanged.",
-                             "Aristas y caras están cambiadas."};
-    uint64_t characteristic = (uint64_t)answer[1] - (uint64_t)answer[2] + (uint64_t)answer[3];
+        return &exchanged;
     if (characteristic == 0)
-        return (struct hint){"torus", "V - E + F is 0, as on a torus; here it must be 2.",
-                             "V - E + F es 0, como en un toro; aquí tiene que ser 2."};
+        return &as_torus;
     for (int i = 1; i < ROW_NUMBERS; i++)
         if (right[i] > INT32_MAX && (uint32_t)answer[i] == (uint32_t)right[i] &&
             answer[i] != right[i])
-            return (struct hint){"overflow", "The number does not fit into 32 bits.",
-                                 "El número no cabe en 32 bits."};
+            return &overflow;
     if (characteristic != 2)
-        return (struct hint){"not-euler", "V - E + F is not 2.", "V - E + F no es 2."};
-    return (struct hint){"not-triangles", "Euler's formula holds, but 3F is not 2E.",
-                         "Se cumple la fórmula de Euler, pero 3F no es 2E."};
+        return &not_euler;
+    return 3 * f != 2 * e ? &not_triangles : &other_mesh;
 }
 
 static void reject_numbers(enum given given, int64_t count, const int64_t *answer,
                            const int64_t *right, struct judgement *out)
 {
-    struct hint hint = hint_for(answer, right);
-    judge_reject(out, hint.cause,
-                 "For %" PRId64 " %s%.0s: V = %" PRId64 ", E = %" PRId64 ", F = %" PRId64
-                 "; right is V = %" PRId64 ", E = %" PRId64 ", F = %" PRId64 ". %s%.0s",
-                 "Con %" PRId64 " %.0s%s: V = %" PRId64 ", E = %" PRId64 ", F = %" PRId64
-                 "; lo correcto es V = %" PRId64 ", E = %" PRId64 ", F = %" PRId64 ". %.0s%s",
-                 count, names[given], names_es[given], answer[1], answer[2], answer[3], right[1],
-                 right[2], right[3], hint.text, hint.text_es);
+    const struct reason *reason = reason_for(answer, right);
+    judge_reject_for(out, &reason->cause);
+    judge_en(out, "For %" PRId64 " %s: ", count, nouns[given].en);
+    judge_es(out, "Con %" PRId64 " %s: ", count, nouns[given].es);
+    message_add(&out->message,
+                "V = %" PRId64 ", E = %" PRId64 ", F = %" PRId64 "; right is V = %" PRId64
+                ", E = %" PRId64 ", F = %" PRId64 ".",
+                "V = %" PRId64 ", E = %" PRId64 ", F = %" PRId64 "; lo correcto es V = %" PRId64
+                ", E = %" PRId64 ", F = %" PRId64 ".",
+                answer[1], answer[2], answer[3], right[1], right[2], right[3]);
+    judge_hint(out, reason->hint);
 }
 
 /* -------------------------------------------------------------------- chart */
@@ -226,8 +274,8 @@ static int show_curves(const int64_t *rows, int64_t row_count, const int64_t *an
     int which = 1;
     while (which < ROW_NUMBERS - 1 && answers[ROW_NUMBERS * first + which] == right[which])
         which++;
-    snprintf(scene->x_label, sizeof scene->x_label, "%s", names[rows[0]]);
-    snprintf(scene->y_label, sizeof scene->y_label, "%s", names[which - 1]);
+    snprintf(scene->x_label, sizeof scene->x_label, "%s", nouns[rows[0]].en);
+    snprintf(scene->y_label, sizeof scene->y_label, "%s", nouns[which - 1].en);
     if (add_curve(scene, "submission", rows, row_count, answers, which, err))
         return -1;
     return add_curve(scene, "right", rows, row_count, NULL, which, err);
@@ -235,20 +283,17 @@ static int show_curves(const int64_t *rows, int64_t row_count, const int64_t *an
 
 /* -------------------------------------------------------------------- judge */
 
-static int judge(struct span input, struct span answer, const struct usage *usage,
-                 struct judgement *out, struct error *err)
+static int judge(const struct task *task, struct judgement *out, struct error *err)
 {
-    (void)usage;
-    struct reader in = reader_of(input.bytes, input.count);
-    struct reader said = reader_of(answer.bytes, answer.count);
+    struct reader in = reader_of(task->input.bytes, task->input.count);
+    struct reader said = reader_of(task->said.bytes, task->said.count);
     int64_t row_count = read_int(&in);
     const int64_t *rows = read_array(&in, row_count, 2 * sizeof *rows);
     const int64_t *answers = read_array(&said, row_count, ROW_NUMBERS * sizeof *answers);
     if (!rows)
         return error_set(err, "the input of euler-closed-mesh is broken");
     if (!answers) {
-        judge_reject(out, "malformed-answer", "The answer is incomplete.",
-                     "La respuesta está incompleta.");
+        judge_reject(out, &malformed, "The answer is incomplete.", "La respuesta está incompleta.");
         return 0;
     }
     for (int64_t i = 0; i < row_count; i++) {
@@ -258,7 +303,8 @@ static int judge(struct span input, struct span answer, const struct usage *usag
         right_answer(given, rows[2 * i + 1], right);
         if (agrees(row, right))
             continue;
-        judge_name_element(out, "%" PRId64 " %s", rows[2 * i + 1], names[given]);
+        judge_name(out, "%" PRId64 " ", "%" PRId64 " ", rows[2 * i + 1]);
+        message_add_phrase(&out->element, nouns[given]);
         if (row[0] != right[0])
             reject_status(given, rows[2 * i + 1], row, right, out);
         else
@@ -269,15 +315,17 @@ static int judge(struct span input, struct span answer, const struct usage *usag
     return 0;
 }
 
-static size_t answer_bound(struct span input)
+static size_t bound(struct span input)
 {
     struct reader in = reader_of(input.bytes, input.count);
     return (size_t)read_int(&in) * ROW_NUMBERS * sizeof(int64_t);
 }
 
-const struct judge judge_euler_closed_mesh = {.exercise = "euler-closed-mesh",
-                                              .cases = cases,
-                                              .case_count = sizeof cases / sizeof *cases,
-                                              .make = make,
-                                              .judge = judge,
-                                              .answer_bound = answer_bound};
+const struct judge judge_euler_closed_mesh = {
+    .exercise = "euler-closed-mesh",
+    .cases = cases,
+    .case_count = sizeof cases / sizeof *cases,
+    .make = make,
+    .judge = judge,
+    .bound = bound,
+};

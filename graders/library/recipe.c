@@ -1,14 +1,17 @@
-/* Meshes as inputs of cases; see mesh_case.h. */
-#include "graders/library/mesh_case.h"
+/* Meshes by their recipes; see recipe.h. */
+#include "graders/library/recipe.h"
 
+#include "reference/base/random.h"
 #include "reference/formats/mesh_file.h"
+#include "reference/mesh/edges.h"
 #include "reference/mesh/generate.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum { UNUSED_VERTICES = 66000, PATH_BYTES = 1024 };
+enum { HIGH_UNUSED = 66000, VAST_UNUSED = (1 << 24) + 1000, PATH_BYTES = 1024 };
 
 /* ------------------------------------------------------------------ shapes that are only cases */
 
@@ -58,11 +61,92 @@ static int read_model(const char *models, const char *name, struct mesh *mesh, s
     return read_mesh(path, mesh, err);
 }
 
-static int make_shape(const struct judge_case *c, const char *models, struct mesh *mesh,
-                      struct error *err)
+/* A ring of quads between two circles, cut into triangles. */
+static int make_annulus(struct mesh *mesh, int64_t sectors, struct error *err)
 {
-    int64_t a = c->parameter[1], b = c->parameter[2];
-    switch ((enum mesh_shape)c->parameter[0]) {
+    if (sectors < 3 || mesh_init(mesh, 2 * sectors, 2 * sectors, err))
+        return error_set(err, "an annulus has 3 sectors or more");
+    for (int64_t i = 0; i < sectors; i++) {
+        double angle = 2 * M_PI * (double)i / (double)sectors;
+        for (int64_t ring = 0; ring < 2; ring++) {
+            float *position = mesh->positions + 3 * (2 * i + ring);
+            position[0] = (float)((ring ? 0.5 : 0.25) * cos(angle));
+            position[1] = (float)((ring ? 0.5 : 0.25) * sin(angle));
+        }
+        int32_t in = (int32_t)(2 * i), next = (int32_t)(2 * ((i + 1) % sectors));
+        const int32_t faces[6] = {in, in + 1, next + 1, in, next + 1, next};
+        memcpy(mesh->triangles + 6 * i, faces, sizeof faces);
+    }
+    return 0;
+}
+
+/* Fans of two triangles round vertex 0, with gaps between them. */
+static int make_bow_tie(struct mesh *mesh, int64_t fans, struct error *err)
+{
+    if (mesh_init(mesh, 1 + 3 * fans, 2 * fans, err))
+        return -1;
+    for (int64_t i = 0; i < fans; i++) {
+        int32_t first = (int32_t)(1 + 3 * i);
+        for (int32_t k = 0; k < 3; k++) {
+            double angle = 2 * M_PI * ((double)i + 0.2 * k) / (double)fans;
+            float *position = mesh->positions + 3 * (int64_t)(first + k);
+            position[0] = (float)(0.5 * cos(angle));
+            position[1] = (float)(0.5 * sin(angle));
+        }
+        const int32_t faces[6] = {0, first, first + 1, 0, first + 1, first + 2};
+        memcpy(mesh->triangles + 6 * i, faces, sizeof faces);
+    }
+    return 0;
+}
+
+/* Triangles in rows, no two of which touch. */
+static int make_separate(struct mesh *mesh, int64_t count, struct error *err)
+{
+    int64_t side = (int64_t)ceil(sqrt((double)count)) + 1;
+    if (mesh_init(mesh, 3 * count, count, err))
+        return -1;
+    for (int64_t t = 0; t < count; t++)
+        for (int64_t corner = 0; corner < 3; corner++) {
+            float *position = mesh->positions + 3 * (3 * t + corner);
+            double x = (double)(t % side) + (corner == 1 ? 0.8 : 0);
+            double y = (double)(t / side) + (corner == 2 ? 0.8 : 0);
+            position[0] = (float)(x / (double)side - 0.5);
+            position[1] = (float)(y / (double)side - 0.5);
+            mesh->triangles[3 * t + corner] = (int32_t)(3 * t + corner);
+        }
+    return 0;
+}
+
+static int make_surface(const struct mesh_recipe *r, struct mesh *mesh, struct error *err)
+{
+    switch (r->shape) {
+    case SHAPE_GRID:
+        return generate_grid(mesh, r->rows, r->columns, err);
+    case SHAPE_UV_SPHERE:
+        return generate_uv_sphere(mesh, r->meridians, r->parallels, err);
+    case SHAPE_ICO:
+        return generate_icosphere(mesh, r->levels, err);
+    case SHAPE_TORUS:
+        return generate_torus(mesh, r->genus, r->triangles, err);
+    case SHAPE_DISC:
+        return generate_disc(mesh, r->rings, r->sectors, err);
+    case SHAPE_ANNULUS:
+        return make_annulus(mesh, r->sectors, err);
+    case SHAPE_FAN:
+        return generate_fan(mesh, r->count, err);
+    case SHAPE_BIPYRAMID:
+        return generate_bipyramid(mesh, r->count, err);
+    case SHAPE_MOEBIUS:
+        return generate_moebius(mesh, r->count, err);
+    default:
+        return error_set(err, "no triangle mesh has shape number %d of recipe.h", (int)r->shape);
+    }
+}
+
+static int make_shape(const struct mesh_recipe *r, uint64_t seed, const char *models,
+                      struct mesh *mesh, struct error *err)
+{
+    switch (r->shape) {
     case SHAPE_EMPTY:
         return generate_empty(mesh, err);
     case SHAPE_ONE_TRIANGLE:
@@ -71,42 +155,33 @@ static int make_shape(const struct judge_case *c, const char *models, struct mes
         return generate_tetrahedron(mesh, err);
     case SHAPE_CUBE:
         return generate_cube(mesh, err);
-    case SHAPE_GRID:
-        return generate_grid(mesh, a, b, err);
-    case SHAPE_UV_SPHERE:
-        return generate_uv_sphere(mesh, a, b, err);
-    case SHAPE_ICO:
-        return generate_icosphere(mesh, (int)a, err);
-    case SHAPE_TORUS:
-        return generate_torus(mesh, (int)a, b, err);
-    case SHAPE_DISC:
-        return generate_disc(mesh, a, b, err);
-    case SHAPE_FAN:
-        return generate_fan(mesh, a, err);
-    case SHAPE_BIPYRAMID:
-        return generate_bipyramid(mesh, a, err);
-    case SHAPE_MOEBIUS:
-        return generate_moebius(mesh, a, err);
     case SHAPE_TWO_CONES:
-        return generate_two_cones(mesh, a, err);
+        return generate_two_cones(mesh, r->count, err);
     case SHAPE_TWO_CUBES:
         return generate_two_cubes(mesh, err);
+    case SHAPE_BOOK:
+        return generate_book(mesh, r->count, err);
     case SHAPE_ROUND_AN_EDGE:
-        return make_round_an_edge(mesh, a, err);
+        return make_round_an_edge(mesh, r->count, err);
+    case SHAPE_BOW_TIE:
+        return make_bow_tie(mesh, r->count, err);
+    case SHAPE_SEPARATE:
+        return make_separate(mesh, r->count, err);
     case SHAPE_NEEDLES:
-        return generate_needles(mesh, a, pow(10, -(double)b), c->seed, err);
+        return generate_needles(mesh, r->count, pow(10, -(double)r->exponent), seed, err);
     case SHAPE_ISOLATED:
-        return make_points(mesh, a, false, err);
+        return make_points(mesh, r->count, false, err);
     case SHAPE_POINT_TRIANGLES:
-        return make_points(mesh, a, true, err);
+        return make_points(mesh, r->count, true, err);
     case SHAPE_BUNNY:
         return read_model(models, "bunny.ply", mesh, err);
     case SHAPE_HORSE:
         return read_model(models, "horse.ply", mesh, err);
     case SHAPE_MUG:
         return read_model(models, "mug.ply", mesh, err);
+    default:
+        return make_surface(r, mesh, err);
     }
-    return error_set(err, "case %s: no such shape: %lld", c->name, (long long)c->parameter[0]);
 }
 
 /* ------------------------------------------------------------------------------------- changes */
@@ -192,10 +267,57 @@ static void tilt(struct mesh *mesh)
     }
 }
 
-static int change_elements(struct mesh *mesh, int64_t changes, uint64_t seed, struct error *err)
+/* Marks the ends of every side that has no twin. */
+static void mark_boundary(const struct edge_list *edges, uint8_t *taken)
+{
+    for (int64_t e = 0; e < edges->edge_count; e++)
+        if (edge_use_count(&edges->edges[e]) == 1)
+            taken[edges->edges[e].low] = taken[edges->edges[e].high] = 1;
+}
+
+/* Removes up to `count` triangles, no two of which share a vertex, none at the boundary: every hole
+ * is a loop of its own, and all vertices stay manifold. */
+static int cut_windows(struct mesh *mesh, int64_t count, uint64_t seed, struct error *err)
+{
+    struct edge_list edges;
+    if (edge_list_init(&edges, mesh, err))
+        return -1;
+    uint8_t *taken = calloc((size_t)mesh->vertex_count + 1, 1);
+    uint8_t *removed = calloc((size_t)mesh->triangle_count + 1, 1);
+    int32_t *order = malloc(sizeof *order * ((size_t)mesh->triangle_count + 1));
+    int failed = taken && removed && order ? 0 : error_set(err, "out of memory for windows");
+    if (!failed) {
+        struct random rng;
+        random_init(&rng, seed ^ 0x57494E44U);
+        mark_boundary(&edges, taken);
+        random_permutation(&rng, order, mesh->triangle_count);
+        for (int32_t i = 0; i < mesh->triangle_count && count > 0; i++) {
+            const int32_t *v = mesh->triangles + 3 * (int64_t)order[i];
+            if (taken[v[0]] || taken[v[1]] || taken[v[2]])
+                continue;
+            taken[v[0]] = taken[v[1]] = taken[v[2]] = removed[order[i]] = 1;
+            count--;
+        }
+        int32_t kept = 0;
+        for (int32_t t = 0; t < mesh->triangle_count; t++)
+            if (!removed[t])
+                memmove(mesh->triangles + 3 * (int64_t)kept++, mesh->triangles + 3 * (int64_t)t,
+                        3 * sizeof(int32_t));
+        mesh->triangle_count = kept;
+    }
+    free(taken);
+    free(removed);
+    free(order);
+    edge_list_release(&edges);
+    return failed;
+}
+
+static int change_elements(struct mesh *mesh, uint32_t changes, uint64_t seed, struct error *err)
 {
     int64_t triangles = mesh->triangle_count, vertices = mesh->vertex_count;
     if ((changes & WITH_HOLES) && change_remove_triangles(mesh, part(triangles, 16), seed, err))
+        return -1;
+    if ((changes & WITH_WINDOWS) && cut_windows(mesh, part(triangles, 16), seed, err))
         return -1;
     if ((changes & WITH_COMPONENTS) && append_components(mesh, err))
         return -1;
@@ -215,7 +337,7 @@ static int change_elements(struct mesh *mesh, int64_t changes, uint64_t seed, st
     return 0;
 }
 
-static void change_positions(struct mesh *mesh, int64_t changes)
+static void change_positions(struct mesh *mesh, uint32_t changes)
 {
     if (changes & TILTED)
         tilt(mesh);
@@ -229,7 +351,7 @@ static void change_positions(struct mesh *mesh, int64_t changes)
     }
 }
 
-static int change_order(struct mesh *mesh, int64_t changes, uint64_t seed, struct error *err)
+int recipe_change_order(struct mesh *mesh, uint32_t changes, uint64_t seed, struct error *err)
 {
     if ((changes & FLIPPED) && change_flip(mesh, 0.5, seed, err))
         return -1;
@@ -239,63 +361,29 @@ static int change_order(struct mesh *mesh, int64_t changes, uint64_t seed, struc
         return -1;
     if ((changes & ADVERSARIAL) && change_adversarial_numbering(mesh, seed, err))
         return -1;
-    if ((changes & HIGH_NUMBERS) && grow(mesh, UNUSED_VERTICES, 0, 0, err))
-        return -1;
     return 0;
 }
 
-int mesh_case_make(const struct judge_case *c, const char *models, struct mesh *mesh,
-                   struct error *err)
+int32_t recipe_unused_vertices(const struct mesh_recipe *recipe)
 {
-    int64_t changes = c->parameter[3];
-    if (make_shape(c, models, mesh, err))
+    return recipe->changes & VAST_NUMBERS   ? VAST_UNUSED
+           : recipe->changes & HIGH_NUMBERS ? HIGH_UNUSED
+                                            : 0;
+}
+
+int recipe_make(const struct mesh_recipe *recipe, uint64_t seed, const char *models,
+                struct mesh *mesh, struct error *err)
+{
+    uint32_t changes = recipe->changes;
+    if (make_shape(recipe, seed, models, mesh, err))
         return -1;
-    if (change_elements(mesh, changes, c->seed, err) || change_order(mesh, changes, c->seed, err)) {
+    int32_t unused = recipe_unused_vertices(recipe);
+    if (change_elements(mesh, changes, seed, err) ||
+        recipe_change_order(mesh, changes, seed, err) ||
+        (unused > 0 && grow(mesh, unused, 0, 0, err))) {
         mesh_release(mesh);
         return -1;
     }
     change_positions(mesh, changes);
     return 0;
-}
-
-/* ------------------------------------------------------------------------------------- packets */
-
-int mesh_case_write(const struct mesh *mesh, struct writer *input, struct error *err)
-{
-    write_int(input, mesh->vertex_count);
-    write_int(input, mesh->triangle_count);
-    write_array(input, mesh->positions, mesh->vertex_count, 3 * sizeof(float));
-    write_array(input, mesh->triangles, mesh->triangle_count, 3 * sizeof(int32_t));
-    if (input->failed)
-        return error_set(err, "out of memory: writing a mesh of %d triangles",
-                         mesh->triangle_count);
-    return 0;
-}
-
-int mesh_case_write_input(const struct judge_case *c, const char *models, struct writer *input,
-                          struct error *err)
-{
-    struct mesh mesh = {0};
-    if (mesh_case_make(c, models, &mesh, err))
-        return -1;
-    int failed = mesh_case_write(&mesh, input, err);
-    mesh_release(&mesh);
-    return failed;
-}
-
-struct mesh_view mesh_case_read(struct span input)
-{
-    struct reader reader = reader_of(input.bytes, input.count);
-    struct mesh_view view;
-    view.vertex_count = (int32_t)read_int(&reader);
-    view.triangle_count = (int32_t)read_int(&reader);
-    view.positions = read_array(&reader, view.vertex_count, 3 * sizeof(float));
-    view.triangles = read_array(&reader, view.triangle_count, 3 * sizeof(int32_t));
-    return view;
-}
-
-int mesh_case_show(const struct mesh_view *view, struct scene *scene, struct error *err)
-{
-    return scene_set_mesh(scene, view->positions, view->vertex_count, view->triangles,
-                          view->triangle_count, err);
 }

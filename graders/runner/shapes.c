@@ -1,0 +1,76 @@
+/* Reading what is given and writing what was answered; see shapes.h. */
+#include "graders/runner/shapes.h"
+
+#include <stdlib.h>
+
+/* What a judge writes behind a mesh: the numbers of the case, as far as there are any. */
+static void read_numbers(struct reader *input, struct given *given)
+{
+    for (int i = 0; i < SHAPES_NUMBERS && input->at < input->count; i++)
+        given->number[i] = read_int(input);
+}
+
+struct given given_triangles(struct reader *input)
+{
+    struct given given = {0};
+    given.vertex_count = (int32_t)read_int(input);
+    given.face_count = (int32_t)read_int(input);
+    given.corner_count = 3 * (int64_t)given.face_count;
+    if (read_int(input))
+        given.positions = read_array(input, given.vertex_count, 3 * sizeof(float));
+    given.triangles = read_array(input, given.face_count, 3 * sizeof(int32_t));
+    read_numbers(input, &given);
+    return given;
+}
+
+struct given given_polygons(struct reader *input)
+{
+    struct given given = {0};
+    given.vertex_count = (int32_t)read_int(input);
+    given.face_count = (int32_t)read_int(input);
+    given.first_corner = read_array(input, (int64_t)given.face_count + 1, sizeof(int32_t));
+    given.corner_count = given.first_corner ? given.first_corner[given.face_count] : 0;
+    given.corners = read_array(input, given.corner_count, sizeof(int32_t));
+    given.positions = read_array(input, given.vertex_count, 3 * sizeof(float));
+    read_numbers(input, &given);
+    return given;
+}
+
+void *given_array(int64_t count, size_t row_bytes)
+{
+    size_t bytes = (size_t)count * row_bytes;
+    void *array = malloc(bytes ? bytes : 1);
+    if (!array)
+        abort(); /* no code of a submission has run in this call: the engine sees the phase */
+    return array;
+}
+
+bool answer_result(struct writer *answer, int64_t result)
+{
+    write_int(answer, result);
+    return result >= 0;
+}
+
+void answer_table(struct writer *answer, int64_t count, void *table, size_t row_bytes)
+{
+    write_table(answer, table, count, row_bytes);
+    free(table);
+}
+
+/* The values are as many as the last offset says. It is followed only where the offsets could be
+ * copied, and the values are written only when they fit: a wild offset ends as a claim. */
+void answer_rows(struct writer *answer, int64_t count, int32_t *first, int32_t *values)
+{
+    size_t before = answer->count;
+    write_table(answer, first, count + 1, sizeof *first);
+    bool copied = first && answer->count - before > 2 * sizeof(int64_t);
+    write_table(answer, values, copied ? first[count] : 0, sizeof *values);
+    free(first);
+    free(values);
+}
+
+void answer_given(struct writer *answer, int64_t count, void *array, size_t row_bytes)
+{
+    write_table(answer, array, count, row_bytes);
+    free(array);
+}
