@@ -62,7 +62,7 @@ static struct span input_of(const struct judge *judge, const struct judge_case *
             abort();
     if (!inputs[i].c) {
         inputs[i] = (struct made){c, writer_growing()};
-        if (judge->make(c, "exercises/models", &inputs[i].input, &err) != 0)
+        if (judge_make(judge, c, "exercises/models", &inputs[i].input, &err) != 0)
             abort(); /* run in the root of the tree */
         if (inputs[i].input.count > INPUT_BYTES_MAX) {
             writer_release(&inputs[i].input);
@@ -80,10 +80,10 @@ static void judge_once(const struct judge *judge, struct span input, struct span
                           .known = answer.count % 2 == 0};
     struct error err = {""};
     memset(judgement, 0, sizeof *judgement);
-    if (judge->judge(input, answer, &usage, judgement, &err) != 0)
+    if (judge_answer(judge, input, answer, &usage, judgement, &err) != 0)
         abort();
     if (!judgement->accepted &&
-        !(judgement->cause[0] && judgement->message[0] && judgement->message_es[0]))
+        !(judgement->cause[0] && judgement->message.en[0] && judgement->message.es[0]))
         abort();
     json_t *scene = scene_to_json(&judgement->scene);
     if (!scene)
@@ -114,7 +114,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count)
     judge_once(judge, input, answer, &first);
     judge_once(judge, input, answer, &second);
     free(copy);
-    if (first.accepted != second.accepted || strcmp(first.message, second.message) != 0)
+    if (first.accepted != second.accepted || strcmp(first.message.en, second.message.en) != 0)
         abort();
     return 0;
 }

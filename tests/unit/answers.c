@@ -58,10 +58,10 @@ static void judge_bytes(const struct judge *judge, struct span input, const unsi
     assert_non_null(copy);
     memcpy(copy, bytes, count);
     memset(judgement, 0, sizeof *judgement);
-    if (judge->judge(input, (struct span){copy, count}, usage, judgement, &err))
+    if (judge_answer(judge, input, (struct span){copy, count}, usage, judgement, &err))
         fail_msg("%s: the judge failed: %s", judge->exercise, err.text);
     if (!judgement->accepted &&
-        !(judgement->cause[0] && judgement->message[0] && judgement->message_es[0]))
+        !(judgement->cause[0] && judgement->message.en[0] && judgement->message.es[0]))
         fail_msg("%s: an answer was rejected without a reason", judge->exercise);
     json_t *scene = scene_to_json(&judgement->scene);
     assert_non_null(scene);
@@ -93,7 +93,7 @@ static void fuzz_case(const struct judge *judge, struct span input,
         judge_bytes(judge, input, bytes, count, &usage, &first);
         judge_bytes(judge, input, bytes, count, &usage, &second);
         assert_int_equal(first.accepted, second.accepted);
-        assert_string_equal(first.message, second.message);
+        assert_string_equal(first.message.en, second.message.en);
     }
     free(bytes);
 }
@@ -108,9 +108,9 @@ void answers_fuzz(const struct judge *judge, const char *group, int rounds)
         struct writer input = writer_growing();
         struct error err = {0};
         struct submission_answer right;
-        assert_int_equal(judge->make(&judge->cases[i], "exercises/models", &input, &err), 0);
+        assert_int_equal(judge_make(judge, &judge->cases[i], "exercises/models", &input, &err), 0);
         struct span span = {input.bytes, input.count};
-        submission_run(&reference, span, judge->answer_bound(span), 0, &right);
+        submission_run(&reference, span, judge_answer_bound(judge, span), 0, &right);
         assert_int_equal(right.end, SUBMISSION_ANSWERED);
         if (right.count <= ANSWER_BYTES_MAX)
             fuzz_case(judge, span, &right, rounds / (int)judge->case_count + 1, i + 1);

@@ -105,17 +105,17 @@ static bool run_and_judge(const struct check *check, const struct submission *su
     struct submission_answer answer;
     struct judgement judgement = {0};
     struct error err = {0};
-    submission_run(submission, span, check->judge->answer_bound(span), 0, &answer);
+    submission_run(submission, span, judge_answer_bound(check->judge, span), 0, &answer);
     outcome->left_something |= answer.usage.heap_left_bytes != 0;
     outcome->freed_wildly |= answer.bad_free_count != 0;
     if (answer.end == SUBMISSION_ANSWERED) {
         struct span bytes = {answer.bytes, answer.count};
-        if (check->judge->judge(span, bytes, &answer.usage, &judgement, &err))
+        if (judge_answer(check->judge, span, bytes, &answer.usage, &judgement, &err))
             fail_msg("%s: the judge failed: %s", check->judge->exercise, err.text);
-        if (!judgement.accepted && !(judgement.cause[0] && judgement.message_es[0]))
+        if (!judgement.accepted && !(judgement.cause[0] && judgement.message.es[0]))
             fail_msg("%s: rejected without a reason", check->judge->exercise);
-        snprintf(why, why_bytes, "%s [%s]: %s", judgement.cause, judgement.element,
-                 judgement.message);
+        snprintf(why, why_bytes, "%s [%s]: %s", judgement.cause, judgement.element.en,
+                 judgement.message.en);
     } else {
         snprintf(why, why_bytes, answer.end == SUBMISSION_DIED ? "died" : "ran out of memory");
     }
@@ -136,7 +136,7 @@ static void run_cases(const struct check *check, const struct submission *submis
         struct writer input = writer_growing();
         struct error err = {0};
         char why[800];
-        if (check->judge->make(c, "exercises/models", &input, &err))
+        if (judge_make(check->judge, c, "exercises/models", &input, &err))
             fail_msg("%s: case %s cannot be made: %s", check->judge->exercise, c->name, err.text);
         if (!run_and_judge(check, submission, &input, outcome, why, sizeof why)) {
             int class = class_index(check, c->class_name, strlen(c->class_name));
@@ -160,11 +160,11 @@ static void check_failing_allocations(struct check *check, const struct submissi
         const struct judge_case *c = &check->judge->cases[i];
         struct writer input = writer_growing();
         struct error err = {0};
-        assert_int_equal(check->judge->make(c, "exercises/models", &input, &err), 0);
+        assert_int_equal(judge_make(check->judge, c, "exercises/models", &input, &err), 0);
         struct span span = {input.bytes, input.count};
         for (int64_t failing = 1; failing <= FAILING_LIMIT; failing++) {
             struct submission_answer answer;
-            submission_run(submission, span, check->judge->answer_bound(span), failing, &answer);
+            submission_run(submission, span, judge_answer_bound(check->judge, span), failing, &answer);
             bool reached = answer.usage.allocation_count >= failing;
             if (answer.end == SUBMISSION_DIED || answer.usage.heap_left_bytes ||
                 answer.bad_free_count)
@@ -184,17 +184,17 @@ static void check_sizes(struct check *check, const struct submission *submission
     int64_t first = json_integer_value(json_object_get(growth, "first_size"));
     if ((growth != NULL) != (check->judge->families != NULL))
         complain(check, "the judge has families if and only if exercise.json counts growth");
-    for (int f = 0; growth && check->judge->families && check->judge->families[f]; f++) {
+    for (int f = 0; growth && f < judge_family_count(check->judge); f++) {
         for (int64_t size = first; size <= 4 * first; size *= 2) {
             struct writer input = writer_growing();
             struct error err = {0};
             struct outcome outcome = {0};
             char why[800];
-            if (check->judge->make_sized(f, size, 7, &input, &err))
-                complain(check, "size %d of %s: %s", (int)size, check->judge->families[f],
+            if (judge_make_sized(check->judge, f, size, 7, &input, &err))
+                complain(check, "size %d of %s: %s", (int)size, judge_family_name(check->judge, f),
                          err.text);
             else if (!run_and_judge(check, submission, &input, &outcome, why, sizeof why))
-                complain(check, "size %d of %s: %s", (int)size, check->judge->families[f], why);
+                complain(check, "size %d of %s: %s", (int)size, judge_family_name(check->judge, f), why);
             writer_release(&input);
         }
     }

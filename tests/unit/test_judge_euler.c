@@ -54,7 +54,7 @@ static bool judge_takes(int given, const int64_t counts[3])
     write_int(&answer, 0);
     write_array(&answer, counts, 3, sizeof *counts);
     struct usage usage = {0};
-    assert_int_equal(judge_euler_closed_mesh.judge((struct span){input.bytes, input.count},
+    assert_int_equal(judge_answer(&judge_euler_closed_mesh, (struct span){input.bytes, input.count},
                                                    (struct span){answer.bytes, answer.count},
                                                    &usage, &judgement, &err),
                      0);
