@@ -27,14 +27,51 @@ static bool takes_polygons(const struct judge *judge)
     return judge->input == INPUT_POLYGONS;
 }
 
-/* Vast numbers: 200 MB of positions that no function of INPUT_TOPOLOGY reads are left out. */
-static int write_mesh(const struct judge *judge, const struct judge_case *c, struct mesh *mesh,
+static int write_mesh(const struct judge *judge, const struct judge_case *c, const char *models,
                       struct writer *input, struct error *err)
 {
+    /* Vast numbers: 200 MB of positions that no function of INPUT_TOPOLOGY reads are left out. */
     bool vast = judge->input == INPUT_TOPOLOGY && (c->mesh.changes & VAST_NUMBERS);
-    int failed = mesh_input_write(mesh, !vast, input, err);
-    mesh_release(mesh);
+    struct mesh mesh;
+    if (recipe_make(&c->mesh, c->seed, models, &mesh, err) != 0)
+        return -1;
+    int failed = judge->input == INPUT_SOUP ? soup_input_write(&mesh, input, err)
+                                            : mesh_input_write(&mesh, !vast, input, err);
+    mesh_release(&mesh);
     return failed;
+}
+
+static int write_polygons(const struct judge_case *c, const char *models, struct writer *input,
+                          struct error *err)
+{
+    struct polygon_mesh mesh;
+    if (polygon_mesh_make(&c->mesh, c->seed, models, &mesh, err) != 0)
+        return -1;
+    int failed = polygon_mesh_write(&mesh, input, err);
+    polygon_mesh_release(&mesh);
+    return failed;
+}
+
+static int write_input(const struct judge *judge, const struct judge_case *c, const char *models,
+                       struct writer *input, struct error *err)
+{
+    switch (judge->input) {
+    case INPUT_OWN:
+        return judge->make(c, models, input, err);
+    case INPUT_QUESTION:
+        return question_write(c->ask, c->number, input, err);
+    case INPUT_POLYGONS:
+        return write_polygons(c, models, input, err);
+    case INPUT_LINE:
+        return line_write(&c->line, c->seed, input, err);
+    case INPUT_FIELD:
+        return field_write(&c->field, c->seed, input, err);
+    case INPUT_MESH:
+    case INPUT_TOPOLOGY:
+    case INPUT_SOUP:
+        break;
+    }
+    return write_mesh(judge, c, models, input, err);
 }
 
 static int write_numbers(const struct judge *judge, const int64_t number[4], struct writer *input,
@@ -48,53 +85,43 @@ static int write_numbers(const struct judge *judge, const int64_t number[4], str
 int judge_make(const struct judge *judge, const struct judge_case *c, const char *models,
                struct writer *input, struct error *err)
 {
-    struct mesh mesh;
-    struct polygon_mesh polygons;
-    switch (judge->input) {
-    case INPUT_OWN:
-        return judge->make(c, models, input, err);
-    case INPUT_QUESTION:
-        return question_write(c->ask, c->number, input, err);
-    case INPUT_POLYGONS:
-        if (polygon_mesh_make(&c->mesh, c->seed, models, &polygons, err) != 0)
-            return -1;
-        if (polygon_mesh_write(&polygons, input, err) != 0) {
-            polygon_mesh_release(&polygons);
-            return -1;
-        }
-        polygon_mesh_release(&polygons);
-        return write_numbers(judge, c->number, input, err);
-    case INPUT_MESH:
-    case INPUT_TOPOLOGY:
-        break;
-    }
-    if (recipe_make(&c->mesh, c->seed, models, &mesh, err) != 0 ||
-        write_mesh(judge, c, &mesh, input, err) != 0)
+    if (write_input(judge, c, models, input, err) != 0)
         return -1;
     return write_numbers(judge, c->number, input, err);
+}
+
+/* A size of a family that is made of triangles or polygons. */
+static int write_sized(const struct judge *judge, const struct size_family *family, int64_t size,
+                       uint64_t seed, struct writer *input, struct error *err)
+{
+    struct polygon_mesh polygons;
+    struct mesh mesh;
+    int failed;
+    if (takes_polygons(judge)) {
+        if (polygon_mesh_make_sized(family, size, seed, &polygons, err) != 0)
+            return -1;
+        failed = polygon_mesh_write(&polygons, input, err);
+        polygon_mesh_release(&polygons);
+        return failed;
+    }
+    if (family_make(family, size, seed, &mesh, err) != 0)
+        return -1;
+    failed = judge->input == INPUT_SOUP ? soup_input_write(&mesh, input, err)
+                                        : mesh_input_write(&mesh, true, input, err);
+    mesh_release(&mesh);
+    return failed;
 }
 
 int judge_make_sized(const struct judge *judge, int family, int64_t size, uint64_t seed,
                      struct writer *input, struct error *err)
 {
+    static const int64_t none[4] = {0};
     const struct size_family *shape = &judge->families[family];
-    struct mesh mesh;
     if (shape->shape == FAMILY_OWN)
         return judge->make_sized(family, size, seed, input, err);
-    static const int64_t none[4] = {0};
-    if (takes_polygons(judge)) {
-        struct polygon_mesh polygons;
-        if (polygon_mesh_make_sized(shape, size, seed, &polygons, err) != 0)
-            return -1;
-        int failed = polygon_mesh_write(&polygons, input, err);
-        polygon_mesh_release(&polygons);
-        return failed ? -1 : write_numbers(judge, none, input, err);
-    }
-    if (family_make(shape, size, seed, &mesh, err) != 0)
+    if (write_sized(judge, shape, size, seed, input, err) != 0)
         return -1;
-    int failed = mesh_input_write(&mesh, true, input, err);
-    mesh_release(&mesh);
-    return failed ? -1 : write_numbers(judge, none, input, err);
+    return write_numbers(judge, shape->has_number ? shape->number : none, input, err);
 }
 
 /* Reads what the two above wrote. */
@@ -102,14 +129,35 @@ static struct task read_input(const struct judge *judge, struct span input)
 {
     struct task task = {.judge = judge, .input = input};
     struct reader reader = reader_of(input.bytes, input.count);
-    if (takes_polygons(judge)) {
+    switch (judge->input) {
+    case INPUT_OWN:
+    case INPUT_QUESTION:
+        return task;
+    case INPUT_POLYGONS:
         task.polygons = polygon_view_read(&reader);
         task.sizes = (struct input_sizes){task.polygons.vertex_count, task.polygons.face_count,
                                           polygon_view_corner_count(&task.polygons)};
-    } else if (judge->input == INPUT_MESH || judge->input == INPUT_TOPOLOGY) {
+        break;
+    case INPUT_SOUP:
+        task.soup = soup_input_read(&reader);
+        task.sizes =
+            (struct input_sizes){3 * (int64_t)task.soup.triangle_count, task.soup.triangle_count,
+                                 3 * (int64_t)task.soup.triangle_count};
+        break;
+    case INPUT_LINE:
+        task.line = line_read(&reader);
+        task.sizes = (struct input_sizes){task.line.point_count, 0, task.line.point_count};
+        break;
+    case INPUT_FIELD:
+        task.field = field_read(&reader);
+        task.sizes = (struct input_sizes){task.field.sample_count, 0, 0};
+        break;
+    case INPUT_MESH:
+    case INPUT_TOPOLOGY:
         task.mesh = mesh_input_read(&reader);
         task.sizes = (struct input_sizes){task.mesh.vertex_count, task.mesh.triangle_count,
                                           3 * (int64_t)task.mesh.triangle_count};
+        break;
     }
     for (int i = 0; i < judge->numbers; i++)
         task.number[i] = read_int(&reader);

@@ -11,13 +11,15 @@
  * it reads through a struct reader and checks before use. A judge that crashes is our fault, never
  * the student's.
  *
- * graders/library.md leads through the library, with an example of each part. */
+ * graders/library/library.h leads through the library, with an example of each part. */
 #ifndef GRADERS_JUDGES_JUDGE_H
 #define GRADERS_JUDGES_JUDGE_H
 
 #include "graders/library/answer.h"
 #include "graders/library/families.h"
+#include "graders/library/fields.h"
 #include "graders/library/judgement.h"
+#include "graders/library/lines.h"
 #include "graders/library/mesh_input.h"
 #include "graders/library/polygons.h"
 #include "graders/library/recipe.h"
@@ -63,6 +65,9 @@ enum judge_input {
     INPUT_MESH,     /* triangles and positions */
     INPUT_TOPOLOGY, /* the same; vast meshes come without positions, which no function reads */
     INPUT_POLYGONS, /* faces of any size */
+    INPUT_SOUP,     /* triangles of a mesh recipe, nine floats each */
+    INPUT_LINE,     /* points, a polyline or a polygon: lines.h */
+    INPUT_FIELD,    /* heights or a volume: fields.h */
     INPUT_QUESTION  /* questions.h */
 };
 
@@ -75,7 +80,10 @@ struct task {
     struct span input, said; /* all bytes; the input may be trusted */
     struct input_sizes sizes;
     struct mesh_view mesh;        /* INPUT_MESH, INPUT_TOPOLOGY */
-    struct polygon_view polygons; /* INPUT_POLYGONS; of triangle meshes, too: never empty-handed */
+    struct polygon_view polygons; /* INPUT_POLYGONS */
+    struct soup_view soup;        /* INPUT_SOUP */
+    struct line_view line;        /* INPUT_LINE */
+    struct field_view field;      /* INPUT_FIELD */
     int64_t number[4];            /* what the case gives beside the mesh */
     struct answer answer;         /* when the judge declares one: read and bounded */
 };

@@ -12,6 +12,8 @@
 
 #include "graders/library/recipe.h"
 
+#include <stdbool.h>
+
 enum family_shape {
     FAMILY_OWN,       /* the judge makes it itself (struct judge, make_sized) */
     FAMILY_SPHERE,    /* closed, 8 meridians */
@@ -29,6 +31,8 @@ struct size_family {
     const char *name; /* unique in the exercise; NULL ends a list */
     enum family_shape shape;
     uint32_t changes; /* enum mesh_change: FLIPPED, REVERSED, SCRAMBLED, ADVERSARIAL */
+    bool has_number;  /* of an exercise that gets numbers beside the mesh: these */
+    int64_t number[4];
 };
 
 enum { FAMILY_LEAST = 16 }; /* the smallest size that every family has */

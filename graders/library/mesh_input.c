@@ -1,6 +1,10 @@
 /* Triangle meshes in packets; see mesh_input.h. */
 #include "graders/library/mesh_input.h"
 
+#include <string.h>
+
+enum { SOUP_BLOCK = 64 }; /* an even number: blocks then need no padding between them */
+
 int mesh_input_write(const struct mesh *mesh, bool with_positions, struct writer *input,
                      struct error *err)
 {
@@ -24,6 +28,29 @@ struct mesh_view mesh_input_read(struct reader *input)
     if (read_int(input))
         view.positions = read_array(input, view.vertex_count, 3 * sizeof(float));
     view.triangles = read_array(input, view.triangle_count, 3 * sizeof(int32_t));
+    return view;
+}
+
+int soup_input_write(const struct mesh *mesh, struct writer *input, struct error *err)
+{
+    write_int(input, mesh->triangle_count);
+    for (int64_t i = 0; i < 3 * (int64_t)mesh->triangle_count; i += 3 * SOUP_BLOCK) {
+        float corners[9 * SOUP_BLOCK];
+        int64_t left = 3 * (int64_t)mesh->triangle_count - i;
+        int64_t count = left < 3 * SOUP_BLOCK ? left : 3 * SOUP_BLOCK;
+        for (int64_t k = 0; k < count; k++)
+            memcpy(corners + 3 * k, mesh->positions + 3 * (int64_t)mesh->triangles[i + k],
+                   3 * sizeof *corners);
+        write_array(input, corners, count, 3 * sizeof *corners);
+    }
+    return input->failed ? error_set(err, "out of memory for a soup") : 0;
+}
+
+struct soup_view soup_input_read(struct reader *input)
+{
+    struct soup_view view = {0};
+    view.triangle_count = (int32_t)read_int(input);
+    view.corners = read_array(input, view.triangle_count, 9 * sizeof(float));
     return view;
 }
 

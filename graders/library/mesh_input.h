@@ -25,6 +25,17 @@ int mesh_input_write(const struct mesh *mesh, bool with_positions, struct writer
 /* Reads what mesh_input_write wrote; borrowed from the packet. */
 struct mesh_view mesh_input_read(struct reader *input);
 
+/* The same triangles as a soup, nine floats each, no vertex shared: what is welded and counted.
+ *
+ *     int triangle_count, float corners[9F] */
+int soup_input_write(const struct mesh *mesh, struct writer *input, struct error *err) MUST_CHECK;
+
+struct soup_view {
+    const float *corners;
+    int32_t triangle_count;
+};
+struct soup_view soup_input_read(struct reader *input);
+
 /* A mesh as a view of it; borrowed. */
 struct mesh_view mesh_input_view(const struct mesh *mesh);
 

@@ -36,6 +36,38 @@ struct given given_polygons(struct reader *input)
     return given;
 }
 
+struct given given_soup(struct reader *input)
+{
+    struct given given = {0};
+    given.face_count = (int32_t)read_int(input);
+    given.points = read_array(input, given.face_count, 9 * sizeof(float));
+    read_numbers(input, &given);
+    return given;
+}
+
+struct given given_line(struct reader *input)
+{
+    struct given given = {0};
+    given.point_count = (int32_t)read_int(input);
+    given.is_closed = (int32_t)read_int(input);
+    int64_t dimension = read_int(input);
+    given.points = read_array(input, given.point_count * dimension, sizeof(float));
+    read_numbers(input, &given);
+    return given;
+}
+
+struct given given_field(struct reader *input)
+{
+    struct given given = {0};
+    given.rows = (int32_t)read_int(input);
+    given.columns = (int32_t)read_int(input);
+    given.layers = (int32_t)read_int(input);
+    int64_t layers = given.layers > 0 ? given.layers : 1;
+    given.points = read_array(input, (int64_t)given.rows * given.columns * layers, sizeof(float));
+    read_numbers(input, &given);
+    return given;
+}
+
 void *given_array(int64_t count, size_t row_bytes)
 {
     size_t bytes = (size_t)count * row_bytes;

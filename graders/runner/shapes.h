@@ -12,6 +12,8 @@
  *     TRIANGLES   triangles, triangle_count, vertex_count
  *     MESH        positions, vertex_count, triangles, triangle_count
  *     POLYGONS    first_corner, corners, face_count, vertex_count
+ *     SOUP        corners, triangle_count
+ *     LINE        points, point_count, is_closed
  *
  * and more arguments may follow in parentheses' stead: `MESH, NUMBER(0)`, written GIVEN(MESH,
  * NUMBER(0)). What has none of these shapes is written by hand: see call.h and the functions here.
@@ -30,12 +32,17 @@ struct given {
     const int32_t *triangles;
     const int32_t *first_corner, *corners;
     int64_t corner_count;
+    const float *points; /* of a line, of a field its samples, of a soup its corners */
+    int32_t point_count, is_closed, rows, columns, layers;
     int64_t number[SHAPES_NUMBERS];
 };
 
-/* Read what the judge's inputs INPUT_MESH and INPUT_TOPOLOGY, and INPUT_POLYGONS, write. */
+/* Read what the judge's inputs write: INPUT_MESH and INPUT_TOPOLOGY, INPUT_POLYGONS, and so on. */
 struct given given_triangles(struct reader *input);
 struct given given_polygons(struct reader *input);
+struct given given_soup(struct reader *input);  /* points, face_count */
+struct given given_line(struct reader *input);  /* points, point_count, is_closed */
+struct given given_field(struct reader *input); /* points, rows, columns, layers */
 
 /* An array that the caller gives to the student, of `count` rows; from the heap, so that tools see
  * a step outside. Ends the process when memory runs out, before the student's code was called. */
@@ -55,6 +62,8 @@ void answer_given(struct writer *answer, int64_t count, void *array, size_t row_
 #define MESH given_triangles, given.positions, given.vertex_count, given.triangles, given.face_count
 #define POLYGONS                                                                                   \
     given_polygons, given.first_corner, given.corners, given.face_count, given.vertex_count
+#define SOUP given_soup, given.points, given.face_count
+#define LINE given_line, given.points, given.point_count, given.is_closed
 #define GIVEN(...) __VA_ARGS__
 #define NUMBER(i) given.number[i]
 
