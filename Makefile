@@ -81,7 +81,8 @@ force:
 
 # ---------------------------------------------------------------- flags
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wundef \
-  -Wformat=2 -Wcast-qual -Wwrite-strings -Wdouble-promotion -Wconversion -Wno-sign-conversion
+  -Wformat=2 -Wcast-qual -Wwrite-strings -Wdouble-promotion -Wconversion -Wno-sign-conversion \
+  -Wno-missing-field-initializers
 MODE_release := -O2 -g
 MODE_debug := -O0 -g3
 MODE_asan := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer

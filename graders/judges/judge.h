@@ -44,7 +44,9 @@ struct judge_case {
     const char *class_name; /* one of the classes in exercise.json, which carry the points */
     uint64_t seed; /* unique in the exercise; printed in reports; decides all that is random */
     unsigned runs; /* enum case_runs */
-    struct mesh_recipe mesh;    /* INPUT_MESH, INPUT_TOPOLOGY, INPUT_POLYGONS: the input */
+    struct mesh_recipe mesh;    /* INPUT_MESH, _TOPOLOGY, _POLYGONS, _SOUP: the input */
+    struct line_recipe line;    /* INPUT_LINE */
+    struct field_recipe field;  /* INPUT_FIELD */
     const struct question *ask; /* INPUT_QUESTION: the function that is asked */
     int64_t number[4];          /* given beside the mesh, or the judge's own */
 };
