@@ -51,11 +51,13 @@ struct face_edge {
 
 /* A vertex that some face uses, which may be degenerate. */
 struct face_vertex {
-    int32_t vertex;     /* its number */
-    int32_t face_count; /* proper faces at it */
-    int32_t fan_count;  /* groups of these that hang together by edges at the vertex */
-    bool is_manifold;   /* one fan or umbrella, and no edge at it of more than two sides; or none */
-    bool is_boundary;   /* an edge at it has one side */
+    int32_t vertex;         /* its number */
+    int32_t face_count;     /* proper faces at it */
+    int32_t fan_count;      /* groups of these that hang together by edges at the vertex */
+    int32_t sheet_count;    /* the same by edges of just two sides: what it takes to part them */
+    int32_t boundary_count; /* edges at it with one side. Without edges of more than two sides half
+                               of it are open fans, and the other fans are umbrellas */
+    bool is_manifold;       /* at most one fan, and no edge at it of more than two sides */
 };
 
 /* Findings (check.h) are a count and the first element. Tables may be read, not changed. */

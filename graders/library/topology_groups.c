@@ -106,24 +106,35 @@ static int32_t corner_at(const struct face_topology *t, int32_t side, int32_t ve
 
 /* Corners at one vertex hang together by an edge there. Each edge that joins two groups of them
  * leaves one fan less. */
+static void join_at_edge(struct face_topology *t, const struct face_edge *edge,
+                         const int32_t *of_corner, struct groups *corners)
+{
+    const int32_t *uses = t->uses + edge->first_use;
+    int64_t sides = topology_side_count(edge);
+    for (int end = 0; end < 2; end++) {
+        int32_t number = end == 0 ? edge->low : edge->high;
+        int32_t corner = corner_at(t, uses[0], number);
+        struct face_vertex *vertex = &t->vertices[of_corner[corner]];
+        vertex->boundary_count += sides == 1;
+        vertex->is_manifold = vertex->is_manifold && sides <= 2;
+        for (int64_t i = 1; i < sides; i++)
+            vertex->fan_count -= groups_join(corners, corner, corner_at(t, uses[i], number));
+    }
+}
+
+/* First what edges of two sides join, then what the others do. */
 static void join_corners(struct face_topology *t, const int32_t *of_corner, struct groups *corners)
 {
     for (int64_t v = 0; v < t->used_count; v++)
         t->vertices[v].fan_count = t->vertices[v].face_count;
-    for (int64_t e = 0; e < t->edge_count; e++) {
-        const struct face_edge *edge = &t->edges[e];
-        const int32_t *uses = t->uses + edge->first_use;
-        int64_t sides = topology_side_count(edge);
-        for (int end = 0; end < 2; end++) {
-            int32_t number = end == 0 ? edge->low : edge->high;
-            int32_t corner = corner_at(t, uses[0], number);
-            struct face_vertex *vertex = &t->vertices[of_corner[corner]];
-            vertex->is_boundary = vertex->is_boundary || sides == 1;
-            vertex->is_manifold = vertex->is_manifold && sides <= 2;
-            for (int64_t i = 1; i < sides; i++)
-                vertex->fan_count -= groups_join(corners, corner, corner_at(t, uses[i], number));
-        }
-    }
+    for (int64_t e = 0; e < t->edge_count; e++)
+        if (topology_side_count(&t->edges[e]) <= 2)
+            join_at_edge(t, &t->edges[e], of_corner, corners);
+    for (int64_t v = 0; v < t->used_count; v++)
+        t->vertices[v].sheet_count = t->vertices[v].fan_count;
+    for (int64_t e = 0; e < t->edge_count; e++)
+        if (topology_side_count(&t->edges[e]) > 2)
+            join_at_edge(t, &t->edges[e], of_corner, corners);
     for (int64_t v = 0; v < t->used_count; v++) {
         struct face_vertex *vertex = &t->vertices[v];
         vertex->is_manifold = vertex->is_manifold && vertex->fan_count <= 1;
