@@ -122,7 +122,7 @@ struct walk {
 
 static int32_t walk_at(const struct walk *walk, int64_t step)
 {
-    return walk->values[(walk->start + step) % walk->length];
+    return walk->length > 0 ? walk->values[(walk->start + step) % walk->length] : 0;
 }
 
 static int64_t step_count(const struct walk *walk)

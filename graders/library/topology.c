@@ -189,11 +189,11 @@ static void list_edges(struct face_topology *t, int64_t use_count)
         bool up = runs_up(t, side);
         int32_t from = t->table.corners[side], to = t->table.corners[topology_next(t, side)];
         int32_t low = up ? from : to, high = up ? to : from;
-        struct face_edge *edge = t->edge_count > 0 ? &t->edges[t->edge_count - 1] : NULL;
-        if (!edge || edge->low != low || edge->high != high) {
-            edge = &t->edges[t->edge_count++];
-            *edge = (struct face_edge){.low = low, .high = high, .first_use = i};
-        }
+        const struct face_edge *last = t->edge_count > 0 ? t->edges + t->edge_count - 1 : t->edges;
+        if (t->edge_count == 0 || last->low != low || last->high != high)
+            t->edges[t->edge_count++] =
+                (struct face_edge){.low = low, .high = high, .first_use = i};
+        struct face_edge *edge = t->edges + t->edge_count - 1;
         edge->up_count += up;
         edge->down_count += !up;
         t->side_edge[side] = (int32_t)(t->edge_count - 1);

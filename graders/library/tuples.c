@@ -4,7 +4,6 @@
 #include "graders/library/cycles.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* The smaller of a row and its reverse. */
 static void point_forward(int32_t *row, int64_t length)
@@ -51,6 +50,19 @@ static void reverse_cycle(int32_t *row, int64_t length)
     cyclic_canonical(row, length);
 }
 
+/* Copies tuples behind those that are there already, each in its form. */
+static void append_tuples(struct set_rows *to, int64_t at, const int32_t *from, int64_t count,
+                          int width, enum tuple_symmetry symmetry)
+{
+    for (int64_t i = 0; i < count; i++) {
+        int32_t *row = to->values + (at + i) * width;
+        for (int64_t c = 0; c < width; c++)
+            row[c] = from[i * width + c];
+        bring_into_form(row, width, symmetry);
+        to->first[at + i + 1] = (at + i + 1) * width;
+    }
+}
+
 int tuples_compare(const int32_t *answer, int64_t answer_count, const int32_t *right,
                    int64_t right_count, int width, enum tuple_symmetry symmetry,
                    struct set_fault *fault, struct error *err)
@@ -68,13 +80,8 @@ int tuples_compare(const int32_t *answer, int64_t answer_count, const int32_t *r
     struct set_rows rows;
     if (set_rows_init(&rows, answer_count, right_count, value_count, err))
         return -1;
-    for (int64_t i = 0; i < count; i++) {
-        const int32_t *from =
-            i < answer_count ? answer + i * width : right + (i - answer_count) * width;
-        rows.first[i + 1] = (i + 1) * width;
-        memcpy(rows.values + i * width, from, (size_t)width * sizeof *from);
-        bring_into_form(rows.values + i * width, width, symmetry);
-    }
+    append_tuples(&rows, 0, answer, answer_count, width, symmetry);
+    append_tuples(&rows, answer_count, right, right_count, width, symmetry);
     int failed = set_rows_match(&rows,
                                 symmetry == TUPLES_EXACT     ? cyclic_reverse
                                 : symmetry == TUPLES_ROTATED ? reverse_cycle
