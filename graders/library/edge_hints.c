@@ -51,64 +51,64 @@ static struct surroundings look_around(const struct mesh_view *view, const struc
 /* -------------------------------------------------------------------------------- missing edges */
 
 /* Of an edge that the last of several triangles is the first to have. */
-static bool in_last_triangle(const struct edge *e, const struct surroundings *s)
+static bool in_last_triangle(const struct listed_edge *e, const struct surroundings *s)
 {
     return s->view->triangle_count > 1 && e->triangle == s->view->triangle_count - 1;
 }
 
-static bool at_last_vertex(const struct edge *e, const struct surroundings *s)
+static bool at_last_vertex(const struct listed_edge *e, const struct surroundings *s)
 {
     return e->high == s->view->vertex_count - 1;
 }
 
-static bool at_vertex_zero(const struct edge *e, const struct surroundings *s)
+static bool at_vertex_zero(const struct listed_edge *e, const struct surroundings *s)
 {
     (void)s;
     return e->low == 0;
 }
 
-static bool degenerate_only(const struct edge *e, const struct surroundings *s)
+static bool degenerate_only(const struct listed_edge *e, const struct surroundings *s)
 {
     (void)s;
     return e->flags & EDGE_DEGENERATE_ONLY;
 }
 
-static bool in_other_component(const struct edge *e, const struct surroundings *s)
+static bool in_other_component(const struct listed_edge *e, const struct surroundings *s)
 {
     return s->parent && root_of(s->parent, e->low) != root_of(s->parent, s->first_vertex);
 }
 
-static bool never_up(const struct edge *e, const struct surroundings *s)
+static bool never_up(const struct listed_edge *e, const struct surroundings *s)
 {
     (void)s;
     return !(e->flags & EDGE_UP);
 }
 
-static bool never_down(const struct edge *e, const struct surroundings *s)
+static bool never_down(const struct listed_edge *e, const struct surroundings *s)
 {
     (void)s;
     return !(e->flags & EDGE_DOWN);
 }
 
-static bool closing_only(const struct edge *e, const struct surroundings *s)
+static bool closing_only(const struct listed_edge *e, const struct surroundings *s)
 {
     (void)s;
     return e->flags & EDGE_CLOSING_ONLY;
 }
 
-static bool on_boundary(const struct edge *e, const struct surroundings *s)
+static bool on_boundary(const struct listed_edge *e, const struct surroundings *s)
 {
     (void)s;
     return e->side_count == 1;
 }
 
-static bool non_manifold(const struct edge *e, const struct surroundings *s)
+static bool non_manifold(const struct listed_edge *e, const struct surroundings *s)
 {
     (void)s;
     return e->side_count > 2;
 }
 
-static bool at_large_valence(const struct edge *e, const struct surroundings *s)
+static bool at_large_valence(const struct listed_edge *e, const struct surroundings *s)
 {
     return s->valence &&
            (s->valence[e->low] > LARGE_VALENCE || s->valence[e->high] > LARGE_VALENCE);
@@ -117,7 +117,7 @@ static bool at_large_valence(const struct edge *e, const struct surroundings *s)
 /* Patterns from the narrowest to the widest: the first that holds for every missing edge is told.
  */
 struct pattern {
-    bool (*holds)(const struct edge *edge, const struct surroundings *s);
+    bool (*holds)(const struct listed_edge *edge, const struct surroundings *s);
     bool must_be_all; /* and for no other edge of the mesh */
     struct hint hint;
 };
@@ -181,7 +181,7 @@ static bool fits(const struct pattern *pattern, const struct edge_set *set,
                  const struct surroundings *s)
 {
     for (int64_t e = 0; e < set->count; e++) {
-        const struct edge *edge = &set->edges[e];
+        const struct listed_edge *edge = &set->edges[e];
         bool missing = edge->listed_count == 0;
         if ((missing || pattern->must_be_all) && pattern->holds(edge, s) != missing)
             return false;
@@ -225,7 +225,7 @@ struct hint edge_hint_duplicate(const struct edge_set *set)
 {
     bool every_side = true, both_ways = true, same_way = true, above_two = true;
     for (int64_t e = 0; e < set->count; e++) {
-        const struct edge *edge = &set->edges[e];
+        const struct listed_edge *edge = &set->edges[e];
         every_side = every_side && edge->listed_count == edge->side_count;
         if (edge->listed_count < 2)
             continue;

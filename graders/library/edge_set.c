@@ -49,13 +49,13 @@ static void sort_by_end(const struct side *from, struct side *to, int64_t count,
         to[start[side_key(&from[i], by_high)]++] = from[i];
 }
 
-static struct edge edge_of_side(const struct side *side)
+static struct listed_edge edge_of_side(const struct side *side)
 {
-    return (struct edge){.low = side->low,
-                         .high = side->high,
-                         .triangle = side->triangle,
-                         .flags = EDGE_CLOSING_ONLY | EDGE_DEGENERATE_ONLY,
-                         .first_entry = -1};
+    return (struct listed_edge){.low = side->low,
+                                .high = side->high,
+                                .triangle = side->triangle,
+                                .flags = EDGE_CLOSING_ONLY | EDGE_DEGENERATE_ONLY,
+                                .first_entry = -1};
 }
 
 /* Equal sides stand together; each group becomes an edge. */
@@ -65,7 +65,7 @@ static void merge_sides(const struct side *sides, int64_t count, struct edge_set
         const struct side *side = &sides[i];
         if (i == 0 || side->low != sides[i - 1].low || side->high != sides[i - 1].high)
             set->edges[set->count++] = edge_of_side(side);
-        struct edge *edge = &set->edges[set->count - 1];
+        struct listed_edge *edge = &set->edges[set->count - 1];
         edge->side_count++;
         edge->flags |= side->is_up ? EDGE_UP : EDGE_DOWN;
         if (!side->is_closing)
@@ -116,7 +116,7 @@ void edge_set_release(struct edge_set *set)
     *set = (struct edge_set){0};
 }
 
-struct edge *edge_set_find(const struct edge_set *set, int32_t a, int32_t b)
+struct listed_edge *edge_set_find(const struct edge_set *set, int32_t a, int32_t b)
 {
     int32_t low = a < b ? a : b, high = a < b ? b : a;
     int64_t first = set->row[low], last = set->row[low + 1];

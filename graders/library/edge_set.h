@@ -15,7 +15,7 @@ enum edge_flag {
     EDGE_LISTED_DOWN = 1 << 5
 };
 
-struct edge {
+struct listed_edge {
     int32_t low, high;    /* low < high */
     int32_t triangle;     /* the first triangle that joins them */
     int32_t side_count;   /* sides of triangles that are this edge; 1: a boundary edge */
@@ -26,7 +26,7 @@ struct edge {
 
 /* Sorted by low, then by high. The zero value is an empty set. */
 struct edge_set {
-    struct edge *edges;
+    struct listed_edge *edges;
     int64_t count;
     int64_t *row; /* edges of low vertex v: row[v] ... row[v + 1] - 1 */
 };
@@ -40,6 +40,6 @@ int edge_set_make(const struct mesh_view *view, struct edge_set *set, struct err
 void edge_set_release(struct edge_set *set);
 
 /* The edge {a,b}, or NULL when no triangle joins the two. Both must be vertices of the mesh. */
-struct edge *edge_set_find(const struct edge_set *set, int32_t a, int32_t b);
+struct listed_edge *edge_set_find(const struct edge_set *set, int32_t a, int32_t b);
 
 #endif

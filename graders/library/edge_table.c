@@ -14,7 +14,7 @@ struct findings {
     int64_t entry_count;
     int64_t out_of_range, self, repeated, extra;
     int64_t out_of_range_count, self_count, repeated_count, extra_count, missing_count;
-    const struct edge *missing; /* the one whose first triangle comes first */
+    const struct listed_edge *missing; /* the one whose first triangle comes first */
 };
 
 static int64_t most_entries(const struct mesh_view *view)
@@ -52,7 +52,7 @@ static void count_entry(const struct mesh_view *view, const struct edge_set *set
         note(&f->self, &f->self_count, entry);
         return;
     }
-    struct edge *edge = edge_set_find(set, a, b);
+    struct listed_edge *edge = edge_set_find(set, a, b);
     if (!edge) {
         note(&f->extra, &f->extra_count, entry);
         return;
@@ -76,7 +76,7 @@ static struct findings examine(const struct mesh_view *view, const struct edge_s
     for (int64_t entry = 0; entry < entry_count; entry++)
         count_entry(view, set, &f, entry);
     for (int64_t e = 0; e < set->count; e++) {
-        const struct edge *edge = &set->edges[e];
+        const struct listed_edge *edge = &set->edges[e];
         if (edge->listed_count > 0)
             continue;
         f.missing_count++;
@@ -149,7 +149,7 @@ static void reject_extra(const struct mesh_view *view, const struct findings *f,
 static void reject_missing(const struct mesh_view *view, const struct edge_set *set,
                            const struct findings *f, struct judgement *out)
 {
-    const struct edge *edge = f->missing;
+    const struct listed_edge *edge = f->missing;
     struct hint hint = edge_hint_missing(view, set);
     judge_name_element(out, "edge {%d,%d}", edge->low, edge->high);
     judge_reject(out, "missing-edge",
@@ -164,7 +164,7 @@ static void reject_missing(const struct mesh_view *view, const struct edge_set *
 /* ------------------------------------------------------------------------------------ the scene */
 
 /* Marks an edge of the mesh that is not listed just once. */
-static void mark_edge(struct scene *scene, const struct edge *edge)
+static void mark_edge(struct scene *scene, const struct listed_edge *edge)
 {
     scene_mark_edge(scene, edge->listed_count == 0 ? MARK_MISSING : MARK_DUPLICATE, edge->low,
                     edge->high);
@@ -185,7 +185,7 @@ static void mark_entry(const struct mesh_view *view, const struct edge_set *set,
 
 /* What the verdict names: an edge of the mesh, or an entry of the answer, or neither (NULL, -1). */
 struct named {
-    const struct edge *edge;
+    const struct listed_edge *edge;
     int64_t entry;
 };
 
@@ -216,7 +216,7 @@ static int show(const struct mesh_view *view, const struct edge_set *set, const 
     if (named.entry >= 0)
         mark_entry(view, set, f, named.entry, scene);
     for (int64_t e = 0; e < set->count; e++) {
-        const struct edge *edge = &set->edges[e];
+        const struct listed_edge *edge = &set->edges[e];
         if (edge->listed_count == 1)
             scene->ok_count++;
         else if (edge != named.edge)
