@@ -17,7 +17,7 @@
 
 enum { JUDGE_CPU_SECONDS = 60, EXIT_SAID = 0, EXIT_FAILED = 1 };
 
-struct message {
+struct verdict_message {
     struct judgement judgement;
     struct error err;
 };
@@ -38,7 +38,7 @@ static bool write_whole(int file, const void *bytes, size_t count)
 _Noreturn static void judge_and_exit(const struct judge *judge, struct span input,
                                      struct span answer, const struct usage *usage, int file)
 {
-    static struct message message;
+    static struct verdict_message message;
     const struct rlimit cpu = {JUDGE_CPU_SECONDS, JUDGE_CPU_SECONDS}, none = {0, 0};
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     setrlimit(RLIMIT_CPU, &cpu);
@@ -57,7 +57,7 @@ _Noreturn static void judge_and_exit(const struct judge *judge, struct span inpu
     _exit(written ? EXIT_SAID : EXIT_FAILED);
 }
 
-static int read_message(int file, struct message *message, json_t **scene, struct error *err)
+static int read_message(int file, struct verdict_message *message, json_t **scene, struct error *err)
 {
     off_t size = lseek(file, 0, SEEK_END);
     if (size < (off_t)sizeof *message ||
@@ -76,7 +76,7 @@ static int read_message(int file, struct message *message, json_t **scene, struc
 int examine(const struct judge *judge, struct span input, struct span answer,
             const struct usage *usage, struct examination *examination, struct error *err)
 {
-    struct message *message = calloc(1, sizeof *message);
+    struct verdict_message *message = calloc(1, sizeof *message);
     int file = memfd_create("judgement", MFD_CLOEXEC);
     int status = -1, result = -1;
     memset(examination, 0, sizeof *examination);
