@@ -361,6 +361,8 @@ build/lint/%.ok: % .clang-tidy
 	  -c $< -o /dev/null
 	@touch $@
 lint: all $(LINT_STAMPS) ## clang-format, clang-tidy, cppcheck, gcc -fanalyzer
+	@! grep -nE '\b(glob|wordexp)(64)? *\(' $(filter-out tests/%,$(C_FILES)) || \
+	  { echo "a path is no pattern: reference/base/listing.h reads a folder" >&2; exit 1; }
 	@clang-format --dry-run -Werror $(C_FILES) $(CXX_FILES)
 
 format: ## lay out every C and C++ file

@@ -4,11 +4,11 @@
 #include "graders/commands/options.h"
 #include "graders/engine/base/files.h"
 #include "graders/engine/run/yardstick.h"
+#include "graders/report/renderer.h"
 
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 struct finding {
@@ -64,7 +64,8 @@ static void add_pictures(struct finding *findings, int *count)
 {
     struct finding *finding = &findings[(*count)++];
     struct error err = {""};
-    char folder[PATH_MAX] = "", path[PATH_MAX + 16], command[3 * PATH_MAX];
+    struct words reason = {"", ""};
+    char folder[PATH_MAX] = "", path[PATH_MAX + 16];
     static const char scene[] =
         "{\"kind\": \"chart\", \"curves\": [{\"name\": \"n\", \"x\": [1, 10], "
         "\"y\": [1, 10], \"exponent\": 1}]}";
@@ -79,12 +80,9 @@ static void add_pictures(struct finding *findings, int *count)
     int written = file_write(path, scene, strlen(scene), &err);
     snprintf(path, sizeof path, "%s/job.json", folder);
     if (written == 0 && file_write(path, job, strlen(job), &err) == 0 && renderer_path()) {
-        snprintf(command, sizeof command, "'%s' '%s' >/dev/null 2>&1", renderer_path(), path);
-        int status = system(command);
-        finding->works = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-        snprintf(finding->reason, sizeof finding->reason,
-                 WEXITSTATUS(status) >= 126 ? "meshgrade-render was not built"
-                                            : "meshgrade-render could not draw");
+        finding->works =
+            renderer_run(renderer_path(), path, renderer_limit_ms(1), &reason) == RENDERER_DREW;
+        snprintf(finding->reason, sizeof finding->reason, "%s", reason.en);
     }
     folder_remove_work(folder);
 }

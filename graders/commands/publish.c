@@ -6,24 +6,10 @@
 #include "graders/engine/base/files.h"
 #include "graders/report/report.h"
 
-#include <glob.h>
 #include <jansson.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-
-static json_t *load_results(const char *out)
-{
-    char pattern[PATH_MAX];
-    glob_t found;
-    json_t *results = json_array();
-    snprintf(pattern, sizeof pattern, "%s/results/*/*.json", out);
-    if (glob(pattern, 0, NULL, &found) == 0)
-        for (size_t i = 0; i < found.gl_pathc; i++)
-            json_array_append_new(results, json_load_file(found.gl_pathv[i], 0, NULL));
-    globfree(&found);
-    return results;
-}
 
 static int exit_code(const json_t *results)
 {
@@ -60,7 +46,9 @@ int publish(const char *out, bool pictures, bool json, struct error *err)
     if (!root || (pictures && draw(out, err) != 0) || report_grades(out, err) != 0 ||
         report_pages(out, root, err) != 0)
         return EXIT_FAULT;
-    json_auto_t *results = load_results(out);
+    json_auto_t *results = report_results(out, err);
+    if (!results)
+        return EXIT_FAULT;
     struct terminal_style style = style_for(stdout, NULL);
     if (!json)
         terminal_print_marks(stdout, results, &style);

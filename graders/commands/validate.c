@@ -6,8 +6,8 @@
 #include "graders/commands/options.h"
 #include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
+#include "reference/base/listing.h"
 
-#include <glob.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -50,20 +50,70 @@ static int load_submission(const char *path, const char *exercise, struct upload
     return upload->student && upload->student_folder ? 0 : error_set(err, "out of memory");
 }
 
-static int load_submissions(const struct exercise *exercise, struct upload_list *list,
-                            glob_t *found, struct error *err)
+/* Paths of submissions. */
+struct found {
+    char **paths;
+    int count;
+};
+
+static int add_path(struct found *found, const char *folder, const char *name, struct error *err)
 {
-    char pattern[PATH_MAX + 256];
+    char **larger = realloc(found->paths, (size_t)(found->count + 1) * sizeof *larger);
+    if (!larger)
+        return error_set(err, "out of memory");
+    found->paths = larger;
+    if (asprintf(&found->paths[found->count], "%s/%s", folder, name) < 0)
+        return error_set(err, "out of memory");
+    found->count++;
+    return 0;
+}
+
+static int find_kind(const char *folder, struct found *found, struct error *err)
+{
+    char **names = listing_files(folder, ".c", err);
+    int result = names ? 0 : -1;
+    for (size_t i = 0; result == 0 && names[i]; i++)
+        result = add_path(found, folder, names[i], err);
+    free(names);
+    return result;
+}
+
+static int find_submissions(const struct exercise *exercise, struct found *found, struct error *err)
+{
+    char folder[PATH_MAX], kind[PATH_MAX];
     const char *root = project_root(err);
-    if (!root)
+    if (!root || file_path(folder, err, "%s/tests/submissions/%s/%s", root, exercise->group,
+                           exercise->name) != 0)
         return -1;
-    snprintf(pattern, sizeof pattern, "%s/tests/submissions/%s/%s/*/*.c", root, exercise->group,
-             exercise->name);
-    if (glob(pattern, 0, NULL, found) != 0)
-        return error_set(err, "%s: no submission to validate %s with", pattern, exercise->name);
-    list->uploads = calloc(found->gl_pathc, sizeof *list->uploads);
-    for (size_t i = 0; list->uploads && i < found->gl_pathc; i++) {
-        if (load_submission(found->gl_pathv[i], exercise->name, &list->uploads[i], err) != 0)
+    char **kinds = listing_folders(folder, err);
+    int result = kinds ? 0 : -1;
+    for (size_t i = 0; result == 0 && kinds[i]; i++) {
+        result = file_path(kind, err, "%s/%s", folder, kinds[i]);
+        if (result == 0)
+            result = find_kind(kind, found, err);
+    }
+    free(kinds);
+    if (result == 0 && found->count == 0)
+        result = error_set(err, "%s: no submission to validate %s with (KIND/NAME.c)", folder,
+                           exercise->name);
+    return result;
+}
+
+static void found_release(struct found *found)
+{
+    for (int i = 0; i < found->count; i++)
+        free(found->paths[i]);
+    free(found->paths);
+}
+
+static int load_submissions(const struct exercise *exercise, struct upload_list *list,
+                            struct found *found, struct error *err)
+{
+    if (find_submissions(exercise, found, err) != 0)
+        return -1;
+    list->uploads = calloc((size_t)found->count, sizeof *list->uploads);
+    for (int i = 0; list->uploads && i < found->count; i++) {
+        if (load_submission(found->paths[i], exercise->name, &list->uploads[i], err) != 0)
             return -1;
         list->count++;
     }
@@ -105,7 +155,7 @@ static bool is_met(const struct expectation *expected, const json_t *result, cha
 }
 
 static int compare(const struct exercise *exercise, struct store *store,
-                   const struct upload_list *list, const glob_t *found, struct tally *tally,
+                   const struct upload_list *list, const struct found *found, struct tally *tally,
                    struct error *err)
 {
     for (int i = 0; i < list->count; i++) {
@@ -113,7 +163,7 @@ static int compare(const struct exercise *exercise, struct store *store,
         char why[1200] = "";
         json_t *result;
         const struct upload *upload = &list->uploads[i];
-        if (expectation_read(found->gl_pathv[i], &expected, err) != 0 ||
+        if (expectation_read(found->paths[i], &expected, err) != 0 ||
             store_find(store, upload->student_folder, exercise->name, NULL, &result, err) != 0)
             return -1;
         bool met = result && is_met(&expected, result, why, sizeof why);
@@ -134,7 +184,7 @@ static int validate(const struct exercise *exercise, uint32_t seed, long jobs, s
 {
     struct upload_list list = {0};
     struct store store = {NULL};
-    glob_t found = {0};
+    struct found found = {0};
     char folder[PATH_MAX] = "";
     int result = load_submissions(exercise, &list, &found, err);
     if (result == 0)
@@ -154,7 +204,7 @@ static int validate(const struct exercise *exercise, uint32_t seed, long jobs, s
     store_close(&store);
     folder_remove_work(folder);
     upload_list_release(&list);
-    globfree(&found);
+    found_release(&found);
     return result;
 }
 

@@ -115,17 +115,15 @@ static void reject_missing(const struct mesh_view *view, const struct edge_set *
                            const struct findings *f, struct judgement *out)
 {
     const struct listed_edge *edge = f->missing;
-    bool all = f->missing_count == set->count;
     judge_name_one(out, edge_noun, "{%d,%d}", edge->low, edge->high);
     judge_reject(out, &missing_edge, "edge {%d,%d} of triangle %d is missing.",
                  "falta la arista {%d,%d} del triángulo %d.", edge->low, edge->high,
                  edge->triangle);
-    if (all)
-        message_add(&out->message, " All %" PRId64 " edges are missing.",
-                    " Faltan las %" PRId64 " aristas.", set->count);
-    else
-        message_add(&out->message, " %" PRId64 " of %" PRId64 " edges are missing.",
-                    " Faltan %" PRId64 " de %" PRId64 " aristas.", f->missing_count, set->count);
+    bool one = f->missing_count == 1;
+    judge_en(out, " %" PRId64 " of %" PRId64 " edges %s missing.", f->missing_count, set->count,
+             one ? "is" : "are");
+    judge_es(out, " %s %" PRId64 " de %" PRId64 " aristas.", one ? "Falta" : "Faltan",
+             f->missing_count, set->count);
     judge_hint(out, edge_hint_missing(view, set));
 }
 

@@ -1,7 +1,8 @@
 /* Reading and writing the files of a report folder; see documents.h. */
 #include "graders/report/documents.h"
 
-#include <dirent.h>
+#include "reference/base/listing.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
@@ -169,60 +170,24 @@ bool document_is_safe_name(const char *name)
            strspn(name, allowed) == length;
 }
 
-static bool ends_in(const char *name, const char *ending)
+/* Drops the names that are not safe. */
+static char **keep_safe(char **names)
 {
-    size_t length = strlen(name);
-    size_t tail = strlen(ending);
-    return length > tail && strcmp(name + length - tail, ending) == 0;
-}
-
-static int by_name(const void *a, const void *b)
-{
-    return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
-/* Puts `count` names that stand one behind the other in `text` into one array with its own copy. */
-static char **as_array(const char *text, size_t bytes, size_t count)
-{
-    char **names = malloc((count + 1) * sizeof *names + bytes + 1);
-    if (!names)
-        return NULL;
-    char *copy = (char *)(names + count + 1);
-    memcpy(copy, text, bytes);
-    for (size_t i = 0; i < count; i++) {
-        names[i] = copy;
-        copy += strlen(copy) + 1;
-    }
-    names[count] = NULL;
-    qsort(names, count, sizeof *names, by_name);
+    size_t kept = 0;
+    for (size_t i = 0; names && names[i]; i++)
+        if (document_is_safe_name(names[i]))
+            names[kept++] = names[i];
+    if (names)
+        names[kept] = NULL;
     return names;
 }
 
 char **document_list(const char *folder, const char *ending, struct error *err)
 {
-    DIR *entries = opendir(folder);
-    if (!entries && errno != ENOENT) {
-        error_set(err, "%s cannot be listed: %s", folder, strerror(errno));
-        return NULL;
-    }
-    char *text = NULL;
-    size_t bytes = 0;
-    size_t count = 0;
-    FILE *found = open_memstream(&text, &bytes);
-    if (found && entries) {
-        for (struct dirent *entry; (entry = readdir(entries));) {
-            if (!document_is_safe_name(entry->d_name) || !ends_in(entry->d_name, ending))
-                continue;
-            fwrite(entry->d_name, 1, strlen(entry->d_name) + 1, found);
-            count++;
-        }
-    }
-    if (entries)
-        closedir(entries);
-    bool complete = found && fclose(found) == 0;
-    char **names = complete ? as_array(text, bytes, count) : NULL;
-    if (!names)
-        error_set(err, "%s: out of memory for its list", folder);
-    free(text);
-    return names;
+    return keep_safe(listing_files(folder, ending, err));
+}
+
+char **document_folders(const char *folder, struct error *err)
+{
+    return keep_safe(listing_folders(folder, err));
 }

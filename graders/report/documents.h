@@ -40,8 +40,10 @@ int document_path(char *path, struct error *err, const char *format, ...)
  * and '-' (ASCII), not starting with '.' or '-'. */
 bool document_is_safe_name(const char *name);
 
-/* The names in a folder that end in `ending` and are safe, sorted, as a NULL-terminated array in
- * one piece of memory that the caller frees. A folder that is absent has none. NULL on error. */
-char **document_list(const char *folder, const char *ending, struct error *err);
+/* listing_files and listing_folders (reference/base/listing.h), without the names that are not
+ * safe.
+ */
+char **document_list(const char *folder, const char *ending, struct error *err) MUST_CHECK;
+char **document_folders(const char *folder, struct error *err) MUST_CHECK;
 
 #endif

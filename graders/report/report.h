@@ -6,8 +6,13 @@
 
 #include "reference/base/error.h"
 
+#include <jansson.h>
 #include <stdbool.h>
 #include <stdio.h>
+
+/* Every result of the class, sorted by folder and exercise: a new array. A result that cannot be
+ * read or is not sound is an error that names it, as is a class without any: NULL and *err. */
+json_t *report_results(const char *out, struct error *err) MUST_CHECK;
 
 /* Draws every scene below OUT/pictures whose picture is absent or older than it, charts of growth
  * and memory (OUT/pictures/<student>/<exercise>/growth.json and memory.json are written here), a

@@ -135,7 +135,7 @@ int gradebook_load(const char *out, struct gradebook *book, struct error *err)
     char path[DOCUMENT_PATH_BYTES];
     if (document_path(path, err, "%s/results", out) != 0)
         return -1;
-    char **folders = document_list(path, "", err);
+    char **folders = document_folders(path, err);
     json_t *all = json_array();
     int status = folders && all ? 0 : error_set(err, "out of memory for the results");
     for (size_t i = 0; status == 0 && folders && folders[i]; i++)

@@ -9,9 +9,11 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "scenes hold little-en
 
 enum { STRIP_VERTEX_LIMIT = 300000, VOXELS_PER_SIDE_SHOWN = 128 };
 
-static const char *const mark_names[] = {"missing",  "duplicate", "extra", "degenerate",
-                                         "boundary", "flipped",   "wrong"};
-static const char *const element_names[] = {"vertex", "edge", "triangle"};
+static const char *const mark_names[MARK_KINDS] = {
+    "missing", "duplicate", "extra",  "degenerate", "boundary", "flipped", "wrong",
+    "right",   "turn-0",    "turn-1", "turn-2",     "turn-3",   "turn-4",  "turn-5"};
+static const char *const element_names[ELEMENT_KINDS] = {"vertex",    "edge", "triangle", "arrow",
+                                                         "half-edge", "path", "loop",     "face"};
 
 /* Bytes as a JSON string in base64; NULL when out of memory. */
 static json_t *json_base64(const void *data, size_t count)
@@ -50,13 +52,50 @@ static json_t *mesh_to_json(const struct mesh *mesh)
                      json_base64(mesh->triangles, triangles));
 }
 
-static json_t *mark_to_json(const struct mark *mark)
+static json_t *vertices_to_json(const struct mark *mark)
 {
     json_t *vertices = json_array();
-    for (int i = 0; vertices && i <= (int)mark->element; i++)
-        json_array_append_new(vertices, json_integer(mark->vertex[i]));
+    for (int32_t i = 0; vertices && i < mark->count; i++)
+        json_array_append_new(vertices, json_integer(mark_vertices(mark)[i]));
+    return vertices;
+}
+
+static json_t *mark_to_json(const struct mark *mark)
+{
     return json_pack("{s:s, s:s, s:o}", "kind", mark_names[mark->kind], "element",
-                     element_names[mark->element], "vertex", vertices);
+                     element_names[mark->element], "vertex", vertices_to_json(mark));
+}
+
+static json_t *label_to_json(const struct label *label)
+{
+    return json_pack("{s:s, s:o, s:I}", "element", element_names[label->at.element], "vertex",
+                     vertices_to_json(&label->at), "number", (json_int_t)label->number);
+}
+
+static json_t *labels_to_json(const struct scene *scene)
+{
+    json_t *labels = json_array();
+    for (int l = 0; labels && l < scene->label_count; l++)
+        if (scene_mark_fits(scene, &scene->labels[l].at))
+            json_array_append_new(labels, label_to_json(&scene->labels[l]));
+    return labels;
+}
+
+/* Polygons as the numbers of their corners, and all corners. */
+static json_t *faces_to_json(const struct scene_faces *faces)
+{
+    size_t count = (size_t)faces->count, corners = (size_t)faces->first_corner[faces->count];
+    int32_t *sizes = malloc((count + 1) * sizeof *sizes);
+    if (!sizes)
+        return NULL;
+    for (size_t f = 0; f < count; f++)
+        sizes[f] = faces->first_corner[f + 1] - faces->first_corner[f];
+    json_t *json =
+        json_pack("{s:i, s:i, s:o, s:o}", "face_count", (int)count, "corner_count", (int)corners,
+                  "sizes", json_base64(sizes, count * sizeof *sizes), "corners",
+                  json_base64(faces->corners, corners * sizeof *faces->corners));
+    free(sizes);
+    return json;
 }
 
 /* The marks that fit into the mesh. */
@@ -69,7 +108,7 @@ static json_t *marks_to_json(const struct scene *scene)
     return marks;
 }
 
-/* Adds "mesh", "marks" and "cut"; scenes without a mesh and marks get only "cut". */
+/* Adds "mesh", "polygons", "marks", "labels" and "cut"; what there is none of is left out. */
 static int add_mesh(json_t *json, const struct scene *scene)
 {
     struct scene cut = {0};
@@ -80,8 +119,12 @@ static int add_mesh(json_t *json, const struct scene *scene)
     int failed = 0;
     if (shown->mesh.vertex_count > 0 || scene->kind == SCENE_MESH)
         failed |= json_object_set_new(json, "mesh", mesh_to_json(&shown->mesh));
+    if (shown->faces.count > 0)
+        failed |= json_object_set_new(json, "polygons", faces_to_json(&shown->faces));
     if (shown->kept_mark_count > 0)
         failed |= json_object_set_new(json, "marks", marks_to_json(shown));
+    if (shown->label_count > 0)
+        failed |= json_object_set_new(json, "labels", labels_to_json(shown));
     if (is_cut)
         failed |= json_object_set_new(json, "cut", json_true());
     scene_release(&cut);
@@ -94,13 +137,44 @@ static int add_counts(json_t *json, const struct scene *scene)
     if (!counts)
         return -1;
     int failed = 0;
-    for (int kind = 0; kind <= MARK_WRONG; kind++)
+    for (int kind = 0; kind < MARK_KINDS; kind++)
         if (scene->mark_count[kind] > 0)
             failed |= json_object_set_new(counts, mark_names[kind],
                                           json_integer(scene->mark_count[kind]));
     failed |= json_object_set_new(json, "mark_counts", counts);
     if (scene->ok_count > 0)
         failed |= json_object_set_new(json, "ok_count", json_integer(scene->ok_count));
+    return failed;
+}
+
+/* A text that may not be UTF-8 as JSON: then as "?". */
+static json_t *text_to_json(const char *text)
+{
+    json_t *json = json_string(text);
+    return json ? json : json_string("?");
+}
+
+static json_t *both_to_json(const struct scene_text *text)
+{
+    return json_pack("{s:o, s:o}", "en", text_to_json(text->en), "es", text_to_json(text->es));
+}
+
+/* What the legend calls the marks, where the scene says it. */
+static int add_names(json_t *json, const struct scene *scene)
+{
+    json_t *names = json_object();
+    int failed = names ? 0 : -1;
+    for (int kind = 0; kind < MARK_KINDS; kind++)
+        if (scene->mark_names[kind].en[0])
+            failed |= json_object_set_new(names, mark_names[kind],
+                                          both_to_json(&scene->mark_names[kind]));
+    if (scene->turn_name.en[0]) {
+        failed |= json_object_set_new(names, "turns", both_to_json(&scene->turn_name));
+        failed |= json_object_set_new(json, "turn_count", json_integer(scene->turn_count));
+    }
+    if (!failed && json_object_size(names) > 0)
+        return json_object_set_new(json, "mark_names", names);
+    json_decref(names);
     return failed;
 }
 
@@ -178,13 +252,6 @@ static json_t *numbers_to_json(const double *numbers, int count)
     return array;
 }
 
-/* A text that may not be UTF-8 as JSON: then as "?". */
-static json_t *text_to_json(const char *text)
-{
-    json_t *json = json_string(text);
-    return json ? json : json_string("?");
-}
-
 static int add_chart(json_t *json, const struct scene *scene)
 {
     json_t *curves = json_array();
@@ -213,7 +280,7 @@ json_t *scene_to_json(const struct scene *scene)
         return NULL;
     int failed = 0;
     if (scene->kind >= SCENE_MESH && scene->kind <= SCENE_VOXELS)
-        failed |= add_mesh(json, scene) | add_counts(json, scene);
+        failed |= add_mesh(json, scene) | add_counts(json, scene) | add_names(json, scene);
     if (scene->fact_count > 0)
         failed |= add_facts(json, scene);
     if (scene->kind == SCENE_STRIPS)

@@ -1,5 +1,5 @@
 /* Filling a scene; see scene.h. */
-#include "graders/scene/scene.h"
+#include "graders/scene/polygon.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -48,6 +48,7 @@ int scene_set_mesh(struct scene *scene, const float *positions, int64_t vertex_c
     if (triangle_count > 0)
         memcpy(copy.triangles, triangles, 3 * sizeof *triangles * (size_t)triangle_count);
     mesh_release(&scene->mesh);
+    scene_faces_release(&scene->faces);
     scene->mesh = copy;
     raise_kind(scene, SCENE_MESH);
     return 0;
@@ -158,71 +159,16 @@ int scene_add_curve(struct scene *scene, const char *name, const double *x, cons
     return 0;
 }
 
-/* Scatters ordinals, so that a sample of them follows no row of a regular mesh; 0 stays 0. */
-static uint32_t scattered(int64_t ordinal)
-{
-    uint64_t h = (uint64_t)ordinal;
-    h = (h ^ h >> 32) * 0x9e3779b97f4a7c15U;
-    h = (h ^ h >> 29) * 0xbf58476d1ce4e5b9U;
-    return (uint32_t)(h >> 32);
-}
-
-static bool is_sampled(const struct scene *scene, const struct mark *mark)
-{
-    uint32_t one_in = 1U << scene->sampling[mark->kind];
-    return (scattered(mark->ordinal) & (one_in - 1)) == 0;
-}
-
-/* Makes room: drops about half of the marks of the kind that has most. */
-static void thin_out_marks(struct scene *scene)
-{
-    int kept[MARK_WRONG + 1] = {0}, most = 0, count = 0;
-    for (int m = 0; m < scene->kept_mark_count; m++)
-        kept[scene->marks[m].kind]++;
-    for (int kind = 1; kind <= MARK_WRONG; kind++)
-        most = kept[kind] > kept[most] ? kind : most;
-    scene->sampling[most]++;
-    for (int m = 0; m < scene->kept_mark_count; m++)
-        if (is_sampled(scene, &scene->marks[m]))
-            scene->marks[count++] = scene->marks[m];
-    scene->kept_mark_count = count;
-}
-
-static void add_mark(struct scene *scene, struct mark mark)
-{
-    mark.ordinal = scene->mark_count[mark.kind]++;
-    for (int i = 0; i <= (int)mark.element; i++)
-        if (mark.vertex[i] < 0)
-            return;
-    if (!scene->marks)
-        scene->marks = calloc(SCENE_MARK_LIMIT, sizeof *scene->marks);
-    if (!scene->marks)
-        return;
-    while (scene->kept_mark_count == SCENE_MARK_LIMIT && is_sampled(scene, &mark))
-        thin_out_marks(scene);
-    if (is_sampled(scene, &mark))
-        scene->marks[scene->kept_mark_count++] = mark;
-}
-
-void scene_mark_vertex(struct scene *scene, enum mark_kind kind, int32_t vertex)
-{
-    add_mark(scene, (struct mark){kind, ELEMENT_VERTEX, {vertex, 0, 0}, 0});
-}
-
-void scene_mark_edge(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b)
-{
-    add_mark(scene, (struct mark){kind, ELEMENT_EDGE, {a, b, 0}, 0});
-}
-
-void scene_mark_triangle(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b, int32_t c)
-{
-    add_mark(scene, (struct mark){kind, ELEMENT_TRIANGLE, {a, b, c}, 0});
-}
-
 void scene_release(struct scene *scene)
 {
     mesh_release(&scene->mesh);
+    scene_faces_release(&scene->faces);
+    for (int m = 0; m < scene->kept_mark_count; m++)
+        free(scene->marks[m].list);
     free(scene->marks);
+    for (int l = 0; l < scene->label_count; l++)
+        free(scene->labels[l].at.list);
+    free(scene->labels);
     for (int i = 0; i < scene->strip_count; i++)
         free(scene->strips[i].positions);
     free(scene->strips);

@@ -5,6 +5,7 @@
 #ifndef GRADERS_SCENE_SCENE_H
 #define GRADERS_SCENE_SCENE_H
 
+#include "graders/scene/mark.h"
 #include "reference/base/error.h"
 #include "reference/mesh/mesh.h"
 
@@ -18,26 +19,6 @@ enum scene_kind {
     SCENE_STRIPS, /* strips in turn colours, flipped triangles marked */
     SCENE_VOXELS, /* voxels beside a mesh */
     SCENE_CHART   /* curves, log-log */
-};
-
-/* What is the matter with an element. The colours are the renderer's. */
-enum mark_kind {
-    MARK_MISSING,    /* it is in the mesh and not in the answer */
-    MARK_DUPLICATE,  /* it is in the answer more than once */
-    MARK_EXTRA,      /* it is in the answer and not in the mesh */
-    MARK_DEGENERATE, /* a triangle without area, or an edge from a vertex to itself */
-    MARK_BOUNDARY,   /* no fault: a boundary edge, shown where it explains one */
-    MARK_FLIPPED,    /* a triangle with the wrong winding */
-    MARK_WRONG       /* any other element at fault */
-};
-
-enum element_kind { ELEMENT_VERTEX, ELEMENT_EDGE, ELEMENT_TRIANGLE };
-
-struct mark {
-    enum mark_kind kind;
-    enum element_kind element;
-    int32_t vertex[3]; /* indices into the scene's mesh: one, two or three are used */
-    int64_t ordinal;   /* marks of its kind before it */
 };
 
 struct strip {
@@ -58,15 +39,29 @@ struct fact {
     char name[24], value[32];
 };
 
-enum { SCENE_MARK_LIMIT = 1200, SCENE_CURVE_LIMIT = 6, SCENE_FACT_LIMIT = 4 };
+/* Polygons over a mesh that holds their triangles, a polygon of n corners n - 2 of them, in order.
+ */
+struct scene_faces {
+    int32_t *first_corner; /* count + 1: face f has corners first_corner[f] ... */
+    int32_t *corners;      /* vertices of the mesh */
+    int32_t count;         /* 0: the mesh is one of triangles */
+};
+
+enum { SCENE_CURVE_LIMIT = 6, SCENE_FACT_LIMIT = 4 };
 
 struct scene {
     enum scene_kind kind;
-    struct mesh mesh;   /* MESH: the mesh; VOXELS: the mesh beside; STRIPS: what the marks name */
+    struct mesh mesh; /* MESH: the mesh; VOXELS: the mesh beside; STRIPS: what the marks name */
+    struct scene_faces faces;
     struct mark *marks; /* at most SCENE_MARK_LIMIT are kept; mark_count[] counts all */
     int kept_mark_count;
-    int64_t mark_count[MARK_WRONG + 1];
-    uint32_t sampling[MARK_WRONG + 1]; /* of a kind one in 2^sampling is kept */
+    int64_t mark_count[MARK_KINDS];
+    uint32_t sampling[MARK_KINDS]; /* of a kind one in 2^sampling is kept */
+    struct label *labels;
+    int label_count;
+    int64_t listed_vertex_count;                         /* in the lists of marks and labels */
+    struct scene_text mark_names[MARK_KINDS], turn_name; /* empty: the usual word */
+    int64_t turn_count;
     int64_t ok_count; /* elements that are right, for the legend; 0 or less: not said */
     struct strip *strips;
     int strip_count;
@@ -89,6 +84,12 @@ struct scene {
  * up. */
 int scene_set_mesh(struct scene *scene, const float *positions, int64_t vertex_count,
                    const int32_t *triangles, int64_t triangle_count, struct error *err);
+/* A mesh of polygons, drawn without diagonals, concave ones too. Face f has the corners
+ * corners[first_corner[f]] ... corners[first_corner[f + 1] - 1], three or more; first_corner has
+ * face_count + 1 entries. What is no such table is refused: show_polygons takes it as well. */
+int scene_set_polygons(struct scene *scene, const float *positions, int64_t vertex_count,
+                       const int32_t *first_corner, const int32_t *corners, int64_t face_count,
+                       struct error *err);
 int scene_add_strip(struct scene *scene, const float *positions, int64_t vertex_count,
                     struct error *err);
 int scene_set_voxels(struct scene *scene, const uint8_t *bits, int32_t voxels_per_side,
@@ -100,15 +101,6 @@ int scene_set_wrong_voxels(struct scene *scene, const uint8_t *wrong_bits, int64
 void scene_add_fact(struct scene *scene, const char *name, const char *value);
 int scene_add_curve(struct scene *scene, const char *name, const double *x, const double *y,
                     int point_count, double exponent, struct error *err);
-/* Marks may come before or after the mesh; those that name no vertex of it are counted, not kept.
- *
- * The first mark of a scene is what the verdict names: pictures magnify it and turn it to the eye.
- * When there are more marks than are kept, those of the most frequent kind are thinned out, evenly
- * over the order in which they come and always in the same way; the first of each kind stays. */
-void scene_mark_vertex(struct scene *scene, enum mark_kind kind, int32_t vertex);
-void scene_mark_edge(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b);
-void scene_mark_triangle(struct scene *scene, enum mark_kind kind, int32_t a, int32_t b, int32_t c);
-
 /* The scene as JSON (format in graders/render/README.md), a new reference; NULL when out of memory.
  * Meshes above 100,000 triangles are cut to the 20,000 nearest to the marks, counted in steps along
  * edges; strips are cut after 300,000 vertices; voxels above 128 a side are sampled at 128. */

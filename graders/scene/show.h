@@ -11,6 +11,13 @@
 int show_mesh(struct scene *scene, const float *positions, int64_t vertex_count,
               const int32_t *triangles, int64_t triangle_count, struct error *err) MUST_CHECK;
 
+/* The same for polygons as scene_set_polygons takes them, of any size: leaves out those with fewer
+ * than three corners, with an index out of range, and all from the first whose entries of
+ * first_corner are not in order within corner_count. */
+int show_polygons(struct scene *scene, const float *positions, int64_t vertex_count,
+                  const int32_t *first_corner, const int32_t *corners, int64_t corner_count,
+                  int64_t face_count, struct error *err) MUST_CHECK;
+
 /* The same for one strip more. */
 int show_strip(struct scene *scene, const float *positions, int64_t vertex_count,
                struct error *err) MUST_CHECK;

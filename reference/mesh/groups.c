@@ -39,6 +39,12 @@ static int32_t find_root(struct groups *groups, int32_t i, uint8_t *parity)
     return i;
 }
 
+int32_t groups_root(struct groups *groups, int32_t i)
+{
+    uint8_t parity;
+    return find_root(groups, i, &parity);
+}
+
 bool groups_join_parity(struct groups *groups, int32_t a, int32_t b, bool opposite)
 {
     uint8_t parity_a, parity_b;

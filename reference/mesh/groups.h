@@ -21,6 +21,10 @@ void groups_release(struct groups *groups);
  * at worst, nearly constant in the long run. */
 bool groups_join(struct groups *groups, int32_t a, int32_t b);
 
+/* The thing that stands for the group of i: the same for all of a group, until it is joined with
+ * another. Cost as above. */
+int32_t groups_root(struct groups *groups, int32_t i);
+
 /* Joins as above and remembers whether a and b are opposite to each other (two triangles of which
  * one must be flipped). Returns false when this contradicts what was joined before. */
 bool groups_join_parity(struct groups *groups, int32_t a, int32_t b, bool opposite);

@@ -8,6 +8,7 @@
  *
  * A child inherits its parent's counts and goes on from there. Programs that a box starts are not
  * touched: their environment is the box's own. */
+#include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -45,12 +46,13 @@ enum call {
     CALL_FSYNC,
     CALL_CLOCK,
     CALL_KILL,
+    CALL_READDIR,
     CALL_COUNT
 };
 
 static const char *const names[CALL_COUNT] = {
     "malloc",     "open",  "read",   "write",     "fork",  "mmap",  "memfd", "syscall",
-    "socketpair", "mkdir", "rename", "ftruncate", "fsync", "clock", "kill"};
+    "socketpair", "mkdir", "rename", "ftruncate", "fsync", "clock", "kill",  "readdir"};
 
 static atomic_long counts[CALL_COUNT];
 static int chosen = -1;
@@ -224,6 +226,7 @@ ssize_t pwrite64(int file, const void *bytes, size_t count, off_t offset)
 int ftruncate64(int file, off_t bytes) __attribute__((alias("ftruncate")));
 void *mmap64(void *at, size_t bytes, int protection, int flags, int file, off_t offset)
     __attribute__((alias("mmap")));
+struct dirent64 *readdir64(DIR *folder) __attribute__((alias("readdir")));
 
 int ftruncate(int file, off_t bytes)
 {
@@ -239,6 +242,14 @@ int mkdir(const char *path, mode_t mode)
         return REAL(mkdir)(path, mode);
     errno = ENOSPC;
     return -1;
+}
+
+struct dirent *readdir(DIR *folder)
+{
+    if (!strikes(CALL_READDIR))
+        return REAL(readdir)(folder);
+    errno = EIO;
+    return NULL;
 }
 
 int rename(const char *from, const char *to)

@@ -336,7 +336,7 @@ static void an_edge_of_the_only_triangle_says_nothing_of_the_last(void **state)
     writer_release(&input);
     /* Edge {3,4} alone, of the fan's last triangle; its other edge, {0,4}, is there. */
     struct edge_answer boundary = {{0, 1, 0, 2, 1, 2, 0, 3, 2, 3, 0, 4}, 6};
-    check_cause(&boundary, "missing-edge", "edge {3,4}", "1 of 7 edges are missing. Boundary edges are lost");
+    check_cause(&boundary, "missing-edge", "edge {3,4}", "1 of 7 edges is missing. Boundary edges are lost");
     struct edge_answer last = {{0, 1, 0, 2, 1, 2, 0, 3, 2, 3}, 5};
     check_cause(&last, "missing-edge", "edge {0,4}", "Only edges of the last triangle are lost");
 }

@@ -3,12 +3,13 @@
 #include "graders/engine/base/exercise.h"
 
 #include "graders/engine/base/files.h"
+#include "reference/base/listing.h"
 
-#include <glob.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { FILE_LIMIT_BYTES = 1 << 20 };
 
@@ -257,31 +258,64 @@ static int by_order(const void *a, const void *b)
                                 : strcmp(x->name, y->name);
 }
 
+/* A growing list of exercises. */
+struct shelf {
+    struct exercise *list;
+    int count;
+};
+
+static int add_exercise(struct shelf *shelf, const char *folder, struct error *err)
+{
+    struct exercise *larger = realloc(shelf->list, (size_t)(shelf->count + 1) * sizeof *larger);
+    if (!larger)
+        return error_set(err, "out of memory");
+    shelf->list = larger;
+    if (exercise_read(folder, &shelf->list[shelf->count], err) != 0)
+        return -1;
+    shelf->count++;
+    return 0;
+}
+
+/* Adds those folders of a group that hold an exercise.json. */
+static int add_group(struct shelf *shelf, const char *group, struct error *err)
+{
+    char **names = listing_folders(group, err);
+    int result = names ? 0 : -1;
+    for (size_t i = 0; result == 0 && names[i]; i++) {
+        char folder[PATH_MAX], manifest[PATH_MAX];
+        if (file_path(folder, err, "%s/%s", group, names[i]) != 0 ||
+            file_path(manifest, err, "%s/exercise.json", folder) != 0)
+            result = -1;
+        else if (access(manifest, F_OK) == 0)
+            result = add_exercise(shelf, folder, err);
+    }
+    free(names);
+    return result;
+}
+
 int exercises_read(const char *root, struct exercise **exercises, int *count, struct error *err)
 {
-    char pattern[PATH_MAX];
-    glob_t found;
-    snprintf(pattern, sizeof pattern, "%s/exercises/*/*/exercise.json", root);
-    if (glob(pattern, 0, NULL, &found) != 0)
-        return error_set(err, "%s: no exercise found", pattern);
-    struct exercise *list = calloc(found.gl_pathc, sizeof *list);
-    if (!list) {
-        globfree(&found);
-        return error_set(err, "out of memory");
+    char folder[PATH_MAX], group[PATH_MAX];
+    struct shelf shelf = {NULL, 0};
+    if (file_path(folder, err, "%s/exercises", root) != 0)
+        return -1;
+    char **groups = listing_folders(folder, err);
+    int result = groups ? 0 : -1;
+    for (size_t i = 0; result == 0 && groups[i]; i++) {
+        result = file_path(group, err, "%s/%s", folder, groups[i]);
+        if (result == 0)
+            result = add_group(&shelf, group, err);
     }
-    int result = 0;
-    for (size_t i = 0; i < found.gl_pathc && result == 0; i++) {
-        *strrchr(found.gl_pathv[i], '/') = '\0';
-        result = exercise_read(found.gl_pathv[i], &list[i], err);
-    }
+    free(groups);
+    if (result == 0 && shelf.count == 0)
+        result = error_set(err, "%s: no exercise found (GROUP/NAME/exercise.json)", folder);
     if (result == 0) {
-        qsort(list, found.gl_pathc, sizeof *list, by_order);
-        *exercises = list;
-        *count = (int)found.gl_pathc;
+        qsort(shelf.list, (size_t)shelf.count, sizeof *shelf.list, by_order);
+        *exercises = shelf.list;
+        *count = shelf.count;
     } else {
-        free(list);
+        free(shelf.list);
     }
-    globfree(&found);
     return result;
 }
 

@@ -6,6 +6,11 @@
 
 #include <stddef.h>
 
+/* Joins printf style into a path of PATH_MAX bytes. Returns 0, or -1 and *err when it does not fit:
+ * a path that was cut would be another file's. */
+int file_path(char *path, struct error *err, const char *format, ...)
+    __attribute__((format(printf, 3, 4))) MUST_CHECK;
+
 /* Reads a regular file whole, without following a link in its last part.
  *
  * bytes    on success the caller frees it; a zero byte stands after the last one

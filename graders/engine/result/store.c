@@ -2,9 +2,9 @@
 #include "graders/engine/result/store.h"
 
 #include "graders/engine/base/files.h"
+#include "reference/base/listing.h"
 
 #include <errno.h>
-#include <glob.h>
 #include <limits.h>
 #include <nettle/sha2.h>
 #include <stdio.h>
@@ -55,7 +55,8 @@ int store_open(struct store *store, const char *out, struct error *err)
     store->database = NULL;
     if (folder_make(out, err) != 0)
         return -1;
-    snprintf(path, sizeof path, "%s/meshgrade.sqlite", out);
+    if (file_path(path, err, "%s/meshgrade.sqlite", out) != 0)
+        return -1;
     if (sqlite3_open_v2(path, &store->database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, NULL) !=
         SQLITE_OK)
         return complain(store, err);
@@ -302,17 +303,60 @@ int store_prune(struct store *store, const json_t *keep, struct error *err)
 
 /* ------------------------------------------------------------------- files */
 
-/* Removes files that match a pattern below OUT and are not in `kept` (path -> true). */
-static void remove_others(const char *out, const char *pattern, const json_t *kept)
+/* Removes files of a folder that end in `ending` and are not in `kept` (path -> true). */
+static int remove_others(const char *folder, const char *ending, const json_t *kept,
+                         struct error *err)
 {
-    char path[PATH_MAX];
-    glob_t found;
-    snprintf(path, sizeof path, "%s/%s", out, pattern);
-    if (glob(path, GLOB_NOSORT, NULL, &found) == 0)
-        for (size_t i = 0; i < found.gl_pathc; i++)
-            if (!json_object_get(kept, found.gl_pathv[i]))
-                unlink(found.gl_pathv[i]);
-    globfree(&found);
+    char **names = listing_files(folder, ending, err);
+    int result = names ? 0 : -1;
+    for (size_t i = 0; result == 0 && names[i]; i++) {
+        char path[PATH_MAX];
+        result = file_path(path, err, "%s/%s", folder, names[i]);
+        if (result == 0 && !json_object_get(kept, path) && unlink(path) != 0)
+            result = error_set(err, "%s: cannot be removed: %s", path, strerror(errno));
+    }
+    free(names);
+    return result;
+}
+
+/* A student's folder of scenes and pictures: one folder an exercise. */
+static int remove_other_pictures(const char *student, const json_t *kept, struct error *err)
+{
+    char **exercises = listing_folders(student, err);
+    int result = exercises ? 0 : -1;
+    for (size_t i = 0; result == 0 && exercises[i]; i++) {
+        char folder[PATH_MAX];
+        if (file_path(folder, err, "%s/%s", student, exercises[i]) != 0 ||
+            remove_others(folder, ".json", kept, err) != 0 ||
+            remove_others(folder, ".png", kept, err) != 0)
+            result = -1;
+    }
+    free(exercises);
+    return result;
+}
+
+static int remove_other_results(const char *student, const json_t *kept, struct error *err)
+{
+    return remove_others(student, ".json", kept, err);
+}
+
+/* Calls `remove` for each student's folder below OUT/part. */
+static int for_each_student(const char *out, const char *part, const json_t *kept,
+                            int (*remove)(const char *, const json_t *, struct error *),
+                            struct error *err)
+{
+    char folder[PATH_MAX], student[PATH_MAX];
+    if (file_path(folder, err, "%s/%s", out, part) != 0)
+        return -1;
+    char **students = listing_folders(folder, err);
+    int result = students ? 0 : -1;
+    for (size_t i = 0; result == 0 && students[i]; i++) {
+        result = file_path(student, err, "%s/%s", folder, students[i]);
+        if (result == 0)
+            result = remove(student, kept, err);
+    }
+    free(students);
+    return result;
 }
 
 /* Writes a file unless it holds just that already, so that pictures made from it stay fresh. */
@@ -333,25 +377,27 @@ static int write_kept(const char *path, const char *text, json_t *kept, struct e
 static int write_scenes(const char *out, const char *student, const char *exercise,
                         const char *text, json_t *kept, struct error *err)
 {
-    char folder[PATH_MAX], path[PATH_MAX + NAME_MAX];
+    char folder[PATH_MAX], path[PATH_MAX];
     const char *name;
     json_t *scene;
     json_auto_t *scenes = json_loads(text, 0, NULL);
     if (json_object_size(scenes) == 0)
         return 0;
-    snprintf(folder, sizeof folder, "%s/pictures/%s/%s", out, student, exercise);
-    if (folder_make(folder, err) != 0)
+    if (file_path(folder, err, "%s/pictures/%s/%s", out, student, exercise) != 0 ||
+        folder_make(folder, err) != 0)
         return -1;
     json_object_foreach(scenes, name, scene)
     {
+        if (file_path(path, err, "%s/%s.json", folder, name) != 0)
+            return -1;
         char *bytes = json_dumps(scene, JSON_COMPACT | JSON_REAL_PRECISION(9));
-        snprintf(path, sizeof path, "%s/%s.json", folder, name);
         int written = bytes ? write_kept(path, bytes, kept, err)
                             : error_set(err, "out of memory for a scene");
         free(bytes);
         if (written != 0)
             return -1;
-        snprintf(path, sizeof path, "%s/%s.png", folder, name);
+        if (file_path(path, err, "%s/%s.png", folder, name) != 0)
+            return -1;
         json_object_set_new(kept, path, json_true());
     }
     return 0;
@@ -364,10 +410,9 @@ static int write_row(sqlite3_stmt *row, const char *out, json_t *kept, struct er
     if (read_row(row, columns, err) != 0)
         return -1;
     const char *student = columns[STUDENT], *exercise = columns[EXERCISE];
-    snprintf(path, sizeof path, "%s/results/%s", out, student);
-    if (folder_make(path, err) != 0)
+    if (file_path(path, err, "%s/results/%s", out, student) != 0 || folder_make(path, err) != 0 ||
+        file_path(path, err, "%s/results/%s/%s.json", out, student, exercise) != 0)
         return -1;
-    snprintf(path, sizeof path, "%s/results/%s/%s.json", out, student, exercise);
     if (write_kept(path, columns[RESULT], kept, err) != 0)
         return -1;
     return write_scenes(out, student, exercise, columns[SCENES], kept, err);
@@ -386,11 +431,10 @@ int store_write_files(struct store *store, const char *out, struct error *err)
     if (result == 0 && step != SQLITE_DONE)
         result = complain(store, err);
     sqlite3_finalize(query);
-    if (result == 0) {
-        remove_others(out, "results/*/*.json", kept);
-        remove_others(out, "pictures/*/*/*.json", kept);
-        remove_others(out, "pictures/*/*/*.png", kept);
-    }
+    if (result == 0)
+        result = for_each_student(out, "results", kept, remove_other_results, err);
+    if (result == 0)
+        result = for_each_student(out, "pictures", kept, remove_other_pictures, err);
     return result;
 }
 

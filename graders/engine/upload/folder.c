@@ -220,9 +220,17 @@ static int read_level(int fd, const char *prefix, int depth, struct bundle *bund
         return -1;
     }
     int result = 0;
-    for (struct dirent *entry; result == 0 && (entry = readdir(folder));)
+    for (;;) {
+        errno = 0; /* only so can the end be told from an error, which would lose students */
+        const struct dirent *entry = result == 0 ? readdir(folder) : NULL;
+        if (!entry)
+            break;
         if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0)
             result = take_name(dirfd(folder), prefix, entry->d_name, depth, bundle, err);
+    }
+    if (result == 0 && errno != 0)
+        result = error_set(err, "%s cannot be read to its end: %s",
+                           prefix[0] ? prefix : "the folder", strerror(errno));
     closedir(folder);
     return result;
 }
