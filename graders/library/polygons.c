@@ -374,20 +374,6 @@ struct polygon_view polygon_view_read(struct reader *input)
 
 int polygon_view_show(const struct polygon_view *view, struct scene *scene, struct error *err)
 {
-    int64_t corner_count = polygon_view_corner_count(view), count = 0;
-    int32_t *triangles = malloc(3 * sizeof *triangles * ((size_t)corner_count + 1));
-    if (!triangles)
-        return error_set(err, "out of memory for a scene of %d faces", view->face_count);
-    for (int32_t f = 0; f < view->face_count; f++) {
-        int32_t corners;
-        const int32_t *v = polygon_view_face(view, f, &corners);
-        for (int32_t i = 1; i + 1 < corners; i++, count++) {
-            triangles[3 * count] = v[0];
-            triangles[3 * count + 1] = v[i];
-            triangles[3 * count + 2] = v[i + 1];
-        }
-    }
-    int failed = scene_set_mesh(scene, view->positions, view->vertex_count, triangles, count, err);
-    free(triangles);
-    return failed;
+    return scene_set_polygons(scene, view->positions, view->vertex_count, view->first_corner,
+                              view->corners, view->face_count, err);
 }
