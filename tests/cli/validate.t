@@ -15,7 +15,7 @@ mkdir -p "$broken"
 judge=graders/judges/topology/euler-closed-mesh.c
 sed 's/judge_reject(/if (0) judge_reject(/' "$judge" >"$broken/judge.c"
 sed -i 's/\.judge = \([a-z_]*\)/.judge = accept_everything/' "$broken/judge.c"
-sed -i 's/^const struct judge judge_/static int accept_everything(struct span i, struct span a, const struct usage *u, struct judgement *o, struct error *e)\n{\n    (void)i; (void)a; (void)u; (void)e;\n    judge_accept(o);\n    return 0;\n}\n&/' "$broken/judge.c"
+sed -i 's/^const struct judge judge_/static int accept_everything(const struct task *t, struct judgement *o, struct error *e)\n{\n    (void)t; (void)e;\n    judge_accept(o);\n    return 0;\n}\n&/' "$broken/judge.c"
 objects=$(find "$BUILD/graders/commands" -name '*.o')
 if cc -w -std=c17 -D_GNU_SOURCE -I. -O1 "$broken/judge.c" "$BUILD/graders/meshgrade.o" $objects "$BUILD/libmeshgrade.a" \
     -o "$broken/meshgrade" $(pkg-config --libs jansson sqlite3 libarchive libseccomp nettle) -lm -Wl,--allow-multiple-definition 2>"$scratch/cc"; then

@@ -18,7 +18,7 @@ enum { ANSWER_BYTES = 4096, MEMORY_BYTES = 256 << 20, CPU_SECONDS = 30 };
 
 static const char COMMAND[] =
     "cd '%s' && gcc -O1 -w -static %s -I'%s/exercises/edges/edge-table-any' known.c "
-    "'%s/build/runner/edge-table-any.plain.o' -o known -Wl,--wrap=malloc,--wrap=calloc,"
+    "'%s/build/runner/edges/edge-table-any.plain.o' -o known -Wl,--wrap=malloc,--wrap=calloc,"
     "--wrap=realloc,--wrap=free,--wrap=aligned_alloc,--wrap=posix_memalign,--wrap=memalign,"
     "--wrap=valloc";
 

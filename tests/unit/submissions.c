@@ -36,10 +36,11 @@ void submission_build(struct submission *submission, const char *group, const ch
     int descriptor = mkstemp(submission->program);
     assert_true(descriptor >= 0);
     close(descriptor);
-    snprintf(command, sizeof command,
-             "gcc -std=c17 -O1 -Wall -Wextra -static -Iexercises/%s/%s %s build/runner/%s.plain.o "
-             "-o %s %s -lm",
-             group, name, source, name, submission->program, wraps);
+    snprintf(
+        command, sizeof command,
+        "gcc -std=c17 -O1 -Wall -Wextra -static -Iexercises/%s/%s %s build/runner/%s/%s.plain.o "
+        "-o %s %s -lm",
+        group, name, source, group, name, submission->program, wraps);
     if (system(command) != 0)
         fail_msg("%s does not compile", source);
 }

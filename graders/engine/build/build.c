@@ -72,8 +72,8 @@ static int copy_runners(const struct exercise *exercise, const char *folder, str
         char from[PATH_MAX + 128], to[PATH_MAX + 128];
         char *bytes;
         size_t count;
-        snprintf(from, sizeof from, "%s/build/runner/%s.%s.o", root, exercise->name,
-                 program_names[kind]);
+        snprintf(from, sizeof from, "%s/build/runner/%s/%s.%s.o", root, exercise->group,
+                 exercise->name, program_names[kind]);
         snprintf(to, sizeof to, "%s/runner-%s.o", folder, program_names[kind]);
         if (file_read(from, 16 << 20, &bytes, &count, err) != 0)
             return -1;

@@ -1,0 +1,41 @@
+# The runner: what runs in the box beside the student's object, build/runner/<group>/<name>.<flavour>.o.
+#
+# One relocatable object an exercise, with every name local but main and the allocation shim, so that
+# a submission can neither call into it nor replace parts of it. Always optimised: it is the same in
+# every configuration. Three flavours: plain has the allocation shim; sanitized and checked leave
+# allocation to the sanitizers and to valgrind's memcheck.
+
+RUNNER_FLAGS := -std=c17 -D_GNU_SOURCE -I. -O2 -g -fno-sanitize=all $(WARNINGS)
+RUNNER_PARTS := $(patsubst %.c,%,$(wildcard graders/runner/*.c graders/wire/*.c))
+RUNNER_CALLS := $(patsubst graders/runner/%.c,%,$(wildcard graders/runner/*/*.c))
+FLAVOURS := plain sanitized checked
+RUNNERS := $(foreach f,$(FLAVOURS),$(RUNNER_CALLS:%=build/runner/%.$(f).o))
+SHIM := malloc calloc realloc free aligned_alloc posix_memalign memalign valloc
+RUNNER_NAMES := main $(SHIM:%=__wrap_%) __ubsan_default_options
+
+# The call of an exercise, graders/runner/<group>/<name>.c, sees the exercise's own header.
+RUNNER_HEADER = $(patsubst graders/runner/%.c,-Iexercises/%,$(filter graders/runner/%,$<))
+RUNNER_COMPILE = $(CC) $(RUNNER_FLAGS) $(RUNNER_HEADER) $(DEPENDENCIES) -c $< -o $@
+
+build/runner/plain/%.o: %.c
+	@mkdir -p $(@D)
+	$(call SHOW,CC  $<)$(RUNNER_COMPILE)
+build/runner/sanitized/%.o build/runner/checked/%.o: RUNNER_FLAGS += -DRUNNER_WITHOUT_SHIM
+build/runner/sanitized/%.o: %.c
+	@mkdir -p $(@D)
+	$(call SHOW,CC  $< (sanitized))$(RUNNER_COMPILE)
+build/runner/checked/%.o: %.c
+	@mkdir -p $(@D)
+	$(call SHOW,CC  $< (checked))$(RUNNER_COMPILE)
+
+RUNNER_LINK = @mkdir -p $(@D) && ld -r $^ -o $@.tmp && \
+  objcopy $(RUNNER_NAMES:%=--keep-global-symbol=%) $@.tmp $@ && rm $@.tmp
+build/runner/%.plain.o: build/runner/plain/graders/runner/%.o $(RUNNER_PARTS:%=build/runner/plain/%.o)
+	$(RUNNER_LINK)
+build/runner/%.sanitized.o: build/runner/sanitized/graders/runner/%.o $(RUNNER_PARTS:%=build/runner/sanitized/%.o)
+	$(RUNNER_LINK)
+build/runner/%.checked.o: build/runner/checked/graders/runner/%.o $(RUNNER_PARTS:%=build/runner/checked/%.o)
+	$(RUNNER_LINK)
+
+.PHONY: runners
+runners: $(RUNNERS)
