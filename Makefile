@@ -128,7 +128,7 @@ clean: ## remove build/
 
 help: ## this list
 	@echo "make [goal] [config=release|debug|asan|coverage]"
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' $(filter-out %.d,$(MAKEFILE_LIST)) | expand -t 18
 
 .PHONY: all peers unit test validate demo bench-grader growth pace stability lint format fuzz replays deps clean help
 -include $(shell find build -name '*.d' 2>/dev/null)
