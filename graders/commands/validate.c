@@ -111,7 +111,7 @@ static int load_submissions(const struct exercise *exercise, struct upload_list 
 {
     if (find_submissions(exercise, found, err) != 0)
         return -1;
-    list->uploads = calloc((size_t)found->count, sizeof *list->uploads);
+    list->uploads = calloc((size_t)found->count + 1, sizeof *list->uploads);
     for (int i = 0; list->uploads && i < found->count; i++) {
         if (load_submission(found->paths[i], exercise->name, &list->uploads[i], err) != 0)
             return -1;
