@@ -59,11 +59,12 @@ struct found {
 static int add_path(struct found *found, const char *folder, const char *name, struct error *err)
 {
     char **larger = realloc(found->paths, (size_t)(found->count + 1) * sizeof *larger);
-    if (!larger)
-        return error_set(err, "out of memory");
-    found->paths = larger;
-    if (asprintf(&found->paths[found->count], "%s/%s", folder, name) < 0)
-        return error_set(err, "out of memory");
+    if (larger)
+        found->paths = larger;
+    if (!larger || asprintf(&larger[found->count], "%s/%s", folder, name) < 0) {
+        error_set(err, "out of memory");
+        return -1;
+    }
     found->count++;
     return 0;
 }
@@ -93,9 +94,11 @@ static int find_submissions(const struct exercise *exercise, struct found *found
             result = find_kind(kind, found, err);
     }
     free(kinds);
-    if (result == 0 && found->count == 0)
-        result = error_set(err, "%s: no submission to validate %s with (KIND/NAME.c)", folder,
-                           exercise->name);
+    if (result == 0 && !found->paths) {
+        error_set(err, "%s: no submission to validate %s with (KIND/NAME.c)", folder,
+                  exercise->name);
+        return -1;
+    }
     return result;
 }
 
@@ -111,13 +114,17 @@ static int load_submissions(const struct exercise *exercise, struct upload_list 
 {
     if (find_submissions(exercise, found, err) != 0)
         return -1;
-    list->uploads = calloc((size_t)found->count, sizeof *list->uploads);
-    for (int i = 0; list->uploads && i < found->count; i++) {
+    list->uploads = calloc((size_t)found->count + 1, sizeof *list->uploads);
+    if (!list->uploads) {
+        error_set(err, "out of memory");
+        return -1;
+    }
+    for (int i = 0; i < found->count; i++) {
         if (load_submission(found->paths[i], exercise->name, &list->uploads[i], err) != 0)
             return -1;
         list->count++;
     }
-    return list->uploads ? 0 : error_set(err, "out of memory");
+    return 0;
 }
 
 /* ----------------------------------------------------------------- judging */

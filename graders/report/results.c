@@ -141,8 +141,8 @@ int gradebook_load(const char *out, struct gradebook *book, struct error *err)
     for (size_t i = 0; status == 0 && folders && folders[i]; i++)
         status = load_folder(out, folders[i], all, err);
     if (status == 0 && json_array_size(all) == 0)
-        status = error_set(err, "%s holds no results; run `meshgrade grade PATH... -o %s` first",
-                           path, out);
+        status = error_set_request(
+            err, "%s holds no results; run `meshgrade grade PATH... -o %s` first", path, out);
     if (status == 0)
         status = gradebook_from(all, book, err);
     json_decref(all);

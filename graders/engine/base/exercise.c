@@ -307,8 +307,10 @@ int exercises_read(const char *root, struct exercise **exercises, int *count, st
             result = add_group(&shelf, group, err);
     }
     free(groups);
-    if (result == 0 && shelf.count == 0)
-        result = error_set(err, "%s: no exercise found (GROUP/NAME/exercise.json)", folder);
+    if (result == 0 && !shelf.list) {
+        error_set(err, "%s: no exercise found (GROUP/NAME/exercise.json)", folder);
+        result = -1;
+    }
     if (result == 0) {
         qsort(shelf.list, (size_t)shelf.count, sizeof *shelf.list, by_order);
         *exercises = shelf.list;

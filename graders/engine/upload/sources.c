@@ -16,22 +16,33 @@ static void drop_files(struct upload *upload)
     upload->file_count = 0;
 }
 
-int upload_take_source(struct upload *upload, const char *name, size_t length, const void *bytes,
-                       size_t count, struct error *err)
+static void check_name(const char *name, size_t length, const char *shown, struct refusal *refusal)
 {
     static const char letters[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
-    char shown[REFUSAL_NAME];
-    struct refusal *refusal = &upload->refusal;
-    refusal_name(shown, name, length);
-    bool is_plain = length < REFUSAL_NAME && *name != '.' && *name != '-';
+    bool is_plain = *name != '.' && *name != '-';
     for (size_t i = 0; i < length; i++)
         is_plain &= name[i] && strchr(letters, name[i]);
+    if (length > UPLOAD_NAME_BYTES)
+        refuse(refusal, "file-name",
+               "The file name \"%s\" is too long: it has %zu characters, at most %d are allowed.",
+               "El nombre de archivo \"%s\" es demasiado largo: tiene %zu caracteres y se admiten "
+               "como mucho %d.",
+               shown, length, UPLOAD_NAME_BYTES);
     if (!is_plain)
         refuse(refusal, "file-name",
                "The file name \"%s\" is not allowed: use letters, digits, . _ and - only.",
                "El nombre de archivo \"%s\" no está permitido: use solo letras, cifras, . _ y -.",
                shown);
+}
+
+int upload_take_source(struct upload *upload, const char *name, size_t length, const void *bytes,
+                       size_t count, struct error *err)
+{
+    char shown[REFUSAL_NAME];
+    struct refusal *refusal = &upload->refusal;
+    refusal_name(shown, name, length);
+    check_name(name, length, shown, refusal);
     for (int i = 0; i < upload->file_count; i++)
         if (strlen(upload->files[i].name) == length &&
             strncasecmp(upload->files[i].name, name, length) == 0)
