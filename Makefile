@@ -98,7 +98,7 @@ DEPENDENCIES = -MMD -MP
 # ---------------------------------------------------------------- the programs
 LIBRARY_SOURCES := $(wildcard reference/base/*.c reference/mesh/*.c reference/formats/*.c \
   reference/representation/*.c reference/kernels/*.c bench/measure/*.c bench/compare/*.c graders/wire/*.c \
-  graders/box/*.c graders/engine/*.c graders/engine/*/*.c graders/scene/*.c graders/library/*.c graders/judges/*.c graders/judges/*/*.c \
+  graders/box/*.c graders/engine/*.c graders/engine/*/*.c graders/known/*.c graders/scene/*.c graders/library/*.c graders/judges/*.c graders/judges/*/*.c \
   graders/report/*.c graders/report/*/*.c)
 LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/judge-table.o \
   $(BUILD)/representation-table.o $(BUILD)/counted-representations.o

@@ -2,11 +2,11 @@
  * its verdict and lose points for exactly what it is expected to, and every right one must keep a
  * margin to the bands. */
 #include "graders/commands/common.h"
-#include "graders/commands/expectation.h"
 #include "graders/commands/options.h"
 #include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
-#include "reference/base/listing.h"
+#include "graders/engine/upload/sources.h"
+#include "graders/known/submissions.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -21,103 +21,60 @@ struct tally {
 
 /* ----------------------------------------------------------------- loading */
 
-static char *last_parts(const char *path, char *text, size_t capacity)
-{
-    const char *slash = strrchr(path, '/');
-    while (slash && slash > path && slash[-1] != '/')
-        slash--;
-    snprintf(text, capacity, "%s", slash ? slash : path);
-    return text;
-}
-
 /* "right/hash.c" becomes the student, "right-hash" the folder. */
-static int load_submission(const char *path, const char *exercise, struct upload *upload,
-                           struct error *err)
+static int make_upload(const struct known_submission *known, const char *exercise,
+                       struct upload *upload, struct error *err)
 {
-    char name[NAME_MAX * 2];
-    const char *paths[] = {path};
-    if (upload_read_files(paths, 1, exercise, upload, err) != 0)
+    const char *name = strchr(known->file, '/') + 1;
+    upload->student = strdup(known->file);
+    upload->student_folder = strndup(known->file, strlen(known->file) - strlen(".c"));
+    upload->exercise = exercise;
+    if (!upload->student || !upload->student_folder)
+        return error_set(err, "out of memory");
+    upload->student_folder[name - 1 - known->file] = '-';
+    if (upload_take_source(upload, name, strlen(name), known->text, known->count, err) != 0)
         return -1;
-    last_parts(path, name, sizeof name);
-    free(upload->student);
-    free(upload->student_folder);
-    upload->student = strdup(name);
-    name[strlen(name) - 2] = '\0';
-    for (char *at = name; *at; at++)
-        if (*at == '/')
-            *at = '-';
-    upload->student_folder = strdup(name);
-    return upload->student && upload->student_folder ? 0 : error_set(err, "out of memory");
-}
-
-/* Paths of submissions. */
-struct found {
-    char **paths;
-    int count;
-};
-
-static int add_path(struct found *found, const char *folder, const char *name, struct error *err)
-{
-    char **larger = realloc(found->paths, (size_t)(found->count + 1) * sizeof *larger);
-    if (!larger)
-        return error_set(err, "out of memory");
-    found->paths = larger;
-    if (asprintf(&found->paths[found->count], "%s/%s", folder, name) < 0)
-        return error_set(err, "out of memory");
-    found->count++;
+    upload_settle(upload);
     return 0;
 }
 
-static int find_kind(const char *folder, struct found *found, struct error *err)
+static int make_uploads(const struct exercise *exercise, const struct known_list *known,
+                        struct upload_list *list, struct error *err)
 {
-    char **names = listing_files(folder, ".c", err);
-    int result = names ? 0 : -1;
-    for (size_t i = 0; result == 0 && names[i]; i++)
-        result = add_path(found, folder, names[i], err);
-    free(names);
-    return result;
-}
-
-static int find_submissions(const struct exercise *exercise, struct found *found, struct error *err)
-{
-    char folder[PATH_MAX], kind[PATH_MAX];
-    const char *root = project_root(err);
-    if (!root || file_path(folder, err, "%s/tests/submissions/%s/%s", root, exercise->group,
-                           exercise->name) != 0)
-        return -1;
-    char **kinds = listing_folders(folder, err);
-    int result = kinds ? 0 : -1;
-    for (size_t i = 0; result == 0 && kinds[i]; i++) {
-        result = file_path(kind, err, "%s/%s", folder, kinds[i]);
-        if (result == 0)
-            result = find_kind(kind, found, err);
-    }
-    free(kinds);
-    if (result == 0 && found->count == 0)
-        result = error_set(err, "%s: no submission to validate %s with (KIND/NAME.c)", folder,
-                           exercise->name);
-    return result;
-}
-
-static void found_release(struct found *found)
-{
-    for (int i = 0; i < found->count; i++)
-        free(found->paths[i]);
-    free(found->paths);
-}
-
-static int load_submissions(const struct exercise *exercise, struct upload_list *list,
-                            struct found *found, struct error *err)
-{
-    if (find_submissions(exercise, found, err) != 0)
-        return -1;
-    list->uploads = calloc((size_t)found->count, sizeof *list->uploads);
-    for (int i = 0; list->uploads && i < found->count; i++) {
-        if (load_submission(found->paths[i], exercise->name, &list->uploads[i], err) != 0)
+    list->uploads = calloc((size_t)known->count + 1, sizeof *list->uploads);
+    if (!list->uploads)
+        return error_set(err, "out of memory");
+    for (; list->count < known->count; list->count++)
+        if (make_upload(&known->submissions[list->count], exercise->name,
+                        &list->uploads[list->count], err) != 0)
             return -1;
-        list->count++;
-    }
-    return list->uploads ? 0 : error_set(err, "out of memory");
+    return 0;
+}
+
+static int read_known(const struct exercise *exercise, struct known_list *known, struct error *err)
+{
+    const char *root = project_root(err);
+    if (!root || known_read(root, exercise->group, exercise->name, known, err) != 0)
+        return -1;
+    if (known->count == 0)
+        return error_set(err, "%s/tests/submissions/%s/%s: no submission to validate %s with", root,
+                         exercise->group, exercise->name, exercise->name);
+    return 0;
+}
+
+/* Writes the whole files below <folder>/<group>/<exercise>/. */
+static int expand(const struct exercise *exercise, const char *folder, struct error *err)
+{
+    struct known_list known = {0};
+    char path[PATH_MAX];
+    int result = read_known(exercise, &known, err);
+    if (snprintf(path, sizeof path, "%s/%s/%s", folder, exercise->group, exercise->name) >=
+        (int)sizeof path)
+        result = error_set(err, "%s: the path is too long", folder);
+    if (result == 0)
+        result = known_write(&known, path, err);
+    known_release(&known);
+    return result;
 }
 
 /* ----------------------------------------------------------------- judging */
@@ -155,25 +112,24 @@ static bool is_met(const struct expectation *expected, const json_t *result, cha
 }
 
 static int compare(const struct exercise *exercise, struct store *store,
-                   const struct upload_list *list, const struct found *found, struct tally *tally,
-                   struct error *err)
+                   const struct upload_list *list, const struct known_list *known,
+                   struct tally *tally, struct error *err)
 {
     for (int i = 0; i < list->count; i++) {
-        struct expectation expected;
+        const struct expectation *expected = &known->submissions[i].expected;
         char why[1200] = "";
         json_t *result;
         const struct upload *upload = &list->uploads[i];
-        if (expectation_read(found->paths[i], &expected, err) != 0 ||
-            store_find(store, upload->student_folder, exercise->name, NULL, &result, err) != 0)
+        if (store_find(store, upload->student_folder, exercise->name, NULL, &result, err) != 0)
             return -1;
-        bool met = result && is_met(&expected, result, why, sizeof why);
+        bool met = result && is_met(expected, result, why, sizeof why);
         tally->met += met;
         tally->missed += !met;
         if (!met)
             printf("not as expected: %s %s %s\n", exercise->name, upload->student, why);
         else if (tally->verbose)
             printf("as expected: %s %s is %s, %.4g points\n", exercise->name, upload->student,
-                   expected.verdict, json_number_value(json_object_get(result, "score")));
+                   expected->verdict, json_number_value(json_object_get(result, "score")));
         json_decref(result);
     }
     return 0;
@@ -182,11 +138,13 @@ static int compare(const struct exercise *exercise, struct store *store,
 static int validate(const struct exercise *exercise, uint32_t seed, long jobs, struct tally *tally,
                     struct error *err)
 {
+    struct known_list known = {0};
     struct upload_list list = {0};
     struct store store = {NULL};
-    struct found found = {0};
     char folder[PATH_MAX] = "";
-    int result = load_submissions(exercise, &list, &found, err);
+    int result = read_known(exercise, &known, err);
+    if (result == 0)
+        result = make_uploads(exercise, &known, &list, err);
     if (result == 0)
         result = folder_make_work(folder, err);
     if (result == 0)
@@ -200,23 +158,25 @@ static int validate(const struct exercise *exercise, uint32_t seed, long jobs, s
     if (result == 0)
         result = classroom_grade(&classroom, err);
     if (result == 0)
-        result = compare(exercise, &store, &list, &found, tally, err);
+        result = compare(exercise, &store, &list, &known, tally, err);
     store_close(&store);
     folder_remove_work(folder);
     upload_list_release(&list);
-    found_release(&found);
+    known_release(&known);
     return result;
 }
 
 static int run(int argc, char **argv)
 {
-    const char *jobs_text = NULL, *seed_text = NULL;
+    const char *jobs_text = NULL, *seed_text = NULL, *folder = NULL;
     uint32_t seed;
     struct tally tally = {0};
     const struct option_rule rules[] = {
         {"jobs", 'j', "N", "submissions at a time (default: one a core)", &jobs_text, NULL},
         {"seed", 0, "N", "as a class of this seed is graded (default: the published seeds)",
          &seed_text, NULL},
+        {"expand", 0, "DIR", "only write the submissions to DIR, each as a whole file", &folder,
+         NULL},
         {"verbose", 'v', NULL, "a line also for what is as expected", NULL, &tally.verbose},
         {0}};
     struct exercise *exercises = NULL;
@@ -231,8 +191,10 @@ static int run(int argc, char **argv)
         int result = 0;
         for (int i = 0; i < count && result == 0; i++)
             if (at >= argc || strcmp(exercises[i].name, argv[at]) == 0)
-                result = validate(&exercises[i], seed, jobs, &tally, &err);
-        printf("%d submissions as expected, %d not\n", tally.met, tally.missed);
+                result = folder ? expand(&exercises[i], folder, &err)
+                                : validate(&exercises[i], seed, jobs, &tally, &err);
+        if (!folder)
+            printf("%d submissions as expected, %d not\n", tally.met, tally.missed);
         code = result != 0 ? report_fault(&err) : tally.missed ? EXIT_NOT_PASSED : EXIT_PASSED;
     }
     free(exercises);

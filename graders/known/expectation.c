@@ -1,7 +1,6 @@
 /* Reads what a submission is expected to get; see expectation.h. */
-#include "graders/commands/expectation.h"
+#include "graders/known/expectation.h"
 
-#include "graders/engine/base/files.h"
 #include "graders/engine/base/verdict.h"
 
 #include <stdio.h>
@@ -13,22 +12,19 @@ static const struct {
 } kinds[] = {{"right", "passed"},           {"wrong", "wrong-answer"}, {"slow", "grows-too-fast"},
              {"greedy", "too-much-memory"}, {"crash", "crash"},        {"leak", "leak"}};
 
-static const char *verdict_of_folder(const char *path)
+static const char *verdict_of_kind(const char *kind)
 {
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-        char part[32];
-        snprintf(part, sizeof part, "/%s/", kinds[i].folder);
-        if (strstr(path, part))
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
+        if (strcmp(kinds[i].folder, kind) == 0)
             return kinds[i].verdict;
-    }
     return "";
 }
 
-/* The rest of the line after `key` in the first comment, NULL when it is not there. */
-static const char *find_line(const char *comment, const char *key)
+/* The rest of the line after `key` in the text's first comment, NULL when it is not there. */
+static const char *find_line(const char *text, const char *key)
 {
-    const char *at = strstr(comment, key);
-    return at ? at + strlen(key) + strspn(at + strlen(key), " ") : NULL;
+    const char *end = strstr(text, "*/"), *at = strstr(text, key);
+    return end && at && at < end ? at + strlen(key) + strspn(at + strlen(key), " ") : NULL;
 }
 
 static void read_failures(const char *line, struct expectation *expectation)
@@ -46,28 +42,21 @@ static void read_failures(const char *line, struct expectation *expectation)
     }
 }
 
-int expectation_read(const char *path, struct expectation *expectation, struct error *err)
+int expectation_read(const char *kind, const char *name, const char *text,
+                     struct expectation *expectation, struct error *err)
 {
-    char *text;
-    size_t count;
     memset(expectation, 0, sizeof *expectation);
-    if (file_read(path, 1 << 20, &text, &count, err) != 0)
-        return -1;
-    char *end = strstr(text, "*/");
-    if (end)
-        end[1] = '\0';
     const char *expect = find_line(text, "expect:"), *fails = find_line(text, "fails:");
     if (expect)
         snprintf(expectation->verdict, sizeof expectation->verdict, "%.*s",
                  (int)strcspn(expect, " \n*,"), expect);
     else
-        snprintf(expectation->verdict, sizeof expectation->verdict, "%s", verdict_of_folder(path));
+        snprintf(expectation->verdict, sizeof expectation->verdict, "%s", verdict_of_kind(kind));
     if (fails)
         read_failures(fails, expectation);
-    free(text);
     if (verdict_of_name(expectation->verdict) == VERDICT_COUNT)
         return error_set(err,
-                         "%s: \"%s\" is no verdict; its first comment needs a line expect:", path,
+                         "%s: \"%s\" is no verdict; its first comment needs a line expect:", name,
                          expectation->verdict);
     return 0;
 }

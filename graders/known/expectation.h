@@ -1,7 +1,7 @@
 /* What a known-verdict submission is expected to get, as its folder and first comment say
  * (CONTRIBUTING.md). */
-#ifndef GRADERS_COMMANDS_EXPECTATION_H
-#define GRADERS_COMMANDS_EXPECTATION_H
+#ifndef GRADERS_KNOWN_EXPECTATION_H
+#define GRADERS_KNOWN_EXPECTATION_H
 
 #include "reference/base/error.h"
 
@@ -18,10 +18,14 @@ struct expectation {
     int failure_count;
 };
 
-/* Reads <kind>/<file>.c. Returns 0, or -1 and *err: no such folder kind and no `expect:` line, an
- * unknown verdict. */
-int expectation_read(const char *path, struct expectation *expectation,
-                     struct error *err) MUST_CHECK;
+/* Reads what the first comment of a submission's text says.
+ *
+ * kind     its folder: right, wrong, ...
+ * name     of the file, for errors
+ * returns  0, or -1 and *err: no `expect:` line where the kind does not say the verdict, an unknown
+ *          verdict */
+int expectation_read(const char *kind, const char *name, const char *text,
+                     struct expectation *expectation, struct error *err) MUST_CHECK;
 
 /* Whether the classes and checks that failed in `result` are exactly the expected ones (or none are
  * named). When not, `why` says which differ. */
