@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double MARGIN = 1.25; /* right answers stay this factor inside every band */
+
 static const struct {
     const char *folder, *verdict;
 } kinds[] = {{"right", "passed"},           {"wrong", "wrong-answer"}, {"slow", "grows-too-fast"},
@@ -78,8 +80,8 @@ static bool has_failed(const json_t *entry)
     return verdict_of_name(verdict) < VERDICT_PASSED;
 }
 
-bool expectation_failures_match(const struct expectation *expectation, const json_t *result,
-                                char *why, size_t capacity)
+static bool failures_match(const struct expectation *expectation, const json_t *result, char *why,
+                           size_t capacity)
 {
     static const char *const lists[] = {"classes", "checks"};
     int met = 0;
@@ -104,4 +106,49 @@ bool expectation_failures_match(const struct expectation *expectation, const jso
         return true;
     snprintf(why, capacity, "`fails:` names something that is neither a class nor a check");
     return false;
+}
+
+static bool has_margin(const json_t *result, char *why, size_t capacity)
+{
+    static const char *const bands[] = {"work", "memory"};
+    for (int i = 0; i < 2; i++) {
+        const json_t *band = json_object_get(json_object_get(result, "measures"), bands[i]);
+        double ratio = json_number_value(json_object_get(band, "ratio"));
+        double limit = json_number_value(json_object_get(band, "band"));
+        if (!band || ratio * MARGIN <= limit)
+            continue;
+        snprintf(why, capacity, "%s is %.3g of at most %.3g: less than the margin of %.2f",
+                 bands[i], ratio, limit, MARGIN);
+        return false;
+    }
+    return true;
+}
+
+bool expectation_is_met(const struct expectation *expected, const json_t *result, char *why,
+                        size_t capacity)
+{
+    const char *verdict = json_string_value(json_object_get(result, "verdict"));
+    if (strcmp(verdict, expected->verdict) != 0) {
+        const json_t *summary = json_object_get(result, "summary");
+        snprintf(why, capacity, "is %s (%s: %s), expected %s", verdict,
+                 json_string_value(json_object_get(result, "cause")),
+                 json_string_value(json_object_get(summary, "en")), expected->verdict);
+        return false;
+    }
+    if (!failures_match(expected, result, why, capacity))
+        return false;
+    return strcmp(verdict, verdict_name(VERDICT_PASSED)) != 0 || has_margin(result, why, capacity);
+}
+
+void expectation_failed_classes(const json_t *result, char *names, size_t capacity)
+{
+    size_t index, at = 0;
+    json_t *entry;
+    *names = '\0';
+    json_array_foreach(json_object_get(result, "classes"), index, entry)
+    {
+        if (has_failed(entry) && at < capacity)
+            at += (size_t)snprintf(names + at, capacity - at, "%s%s", at > 0 ? "," : "",
+                                   json_string_value(json_object_get(entry, "name")));
+    }
 }

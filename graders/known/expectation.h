@@ -27,9 +27,13 @@ struct expectation {
 int expectation_read(const char *kind, const char *name, const char *text,
                      struct expectation *expectation, struct error *err) MUST_CHECK;
 
-/* Whether the classes and checks that failed in `result` are exactly the expected ones (or none are
- * named). When not, `why` says which differ. */
-bool expectation_failures_match(const struct expectation *expectation, const json_t *result,
-                                char *why, size_t capacity);
+/* Whether a result is what was expected: the verdict, and when failures are named, exactly those
+ * classes and checks failed. A right answer also keeps a margin to the bands of work and memory.
+ * When not, `why` says what differs. */
+bool expectation_is_met(const struct expectation *expected, const json_t *result, char *why,
+                        size_t capacity);
+
+/* The classes that failed, "open,several-components"; empty when none did. */
+void expectation_failed_classes(const json_t *result, char *names, size_t capacity);
 
 #endif

@@ -218,13 +218,28 @@ int known_write(const struct known_list *list, const char *folder, struct error 
     return 0;
 }
 
+static void release_submission(struct known_submission *submission)
+{
+    free(submission->file);
+    free(submission->stored);
+    free(submission->text);
+}
+
+void known_keep(struct known_list *list, const bool *kept)
+{
+    int count = 0;
+    for (int i = 0; i < list->count; i++)
+        if (kept[i])
+            list->submissions[count++] = list->submissions[i];
+        else
+            release_submission(&list->submissions[i]);
+    list->count = count;
+}
+
 void known_release(struct known_list *list)
 {
-    for (int i = 0; i < list->count; i++) {
-        free(list->submissions[i].file);
-        free(list->submissions[i].stored);
-        free(list->submissions[i].text);
-    }
+    for (int i = 0; i < list->count; i++)
+        release_submission(&list->submissions[i]);
     free(list->submissions);
     *list = (struct known_list){0};
 }

@@ -38,6 +38,9 @@ const struct known_submission *known_find(const struct known_list *list, const c
 /* Whether it stands in the folder of that kind. */
 bool known_is(const struct known_submission *submission, const char *kind);
 
+/* Drops those whose entry in `kept` is false. */
+void known_keep(struct known_list *list, const bool *kept);
+
 /* Writes every one as a whole file below `folder`, as <kind>/<name>.c. */
 int known_write(const struct known_list *list, const char *folder, struct error *err) MUST_CHECK;
 
