@@ -3,8 +3,8 @@
 
 #include "graders/box/box.h"
 #include "graders/engine/base/files.h"
+#include "reference/base/listing.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <nettle/sha2.h>
@@ -67,35 +67,26 @@ static int add_program(struct sha256_ctx *hash, struct error *err)
     return descriptor >= 0 && got == 0 ? 0 : error_set(err, "/proc/self/exe: cannot be read");
 }
 
-static int is_part(const struct dirent *entry)
+static bool is_statement(const char *name)
 {
-    size_t length = strlen(entry->d_name);
-    return entry->d_name[0] != '.' &&
-           (length < 3 || strcmp(entry->d_name + length - 3, ".md") != 0);
+    size_t length = strlen(name);
+    return length > 3 && strcmp(name + length - 3, ".md") == 0;
 }
 
 /* The names and bytes of a folder's files; statements, which are for people, are left out. */
-static int add_folder(struct sha256_ctx *hash, const char *folder, struct error *err)
+static int add_files(struct sha256_ctx *hash, const char *folder, struct error *err)
 {
-    struct dirent **entries = NULL;
-    int result = 0, count = scandir(folder, &entries, is_part, alphasort);
-    if (count < 0)
-        return error_set(err, "%s: cannot be read", folder);
-    for (int i = 0; i < count; i++) {
+    char **names = listing_files(folder, "", err);
+    int result = names ? 0 : -1;
+    for (size_t i = 0; result == 0 && names[i]; i++) {
         char path[PATH_MAX];
-        struct stat status;
-        int length = snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
-        free(entries[i]);
-        if (result != 0)
+        if (is_statement(names[i]))
             continue;
-        add_text(hash, strrchr(path, '/'));
-        if (length >= (int)sizeof path || stat(path, &status) != 0)
-            result = error_set(err, "%s: cannot be read", path);
-        else
-            result =
-                S_ISDIR(status.st_mode) ? add_folder(hash, path, err) : add_file(hash, path, err);
+        snprintf(path, sizeof path, "%s/%s", folder, names[i]);
+        add_text(hash, names[i]);
+        result = add_file(hash, path, err);
     }
-    free(entries);
+    free(names);
     return result;
 }
 
@@ -173,8 +164,8 @@ int stamps_open(const char *root, const struct exercise *exercise, uint32_t seed
     add_text(&hash, machine);
     add_text(&hash, exercise->name);
     add(&hash, &seed, sizeof seed);
-    if (add_file(&hash, reference, err) != 0 || add_folder(&hash, models, err) != 0 ||
-        add_folder(&hash, exercise->folder, err) != 0 ||
+    if (add_file(&hash, reference, err) != 0 || add_files(&hash, models, err) != 0 ||
+        add_files(&hash, exercise->folder, err) != 0 ||
         add_runner(&hash, root, exercise->name, err) != 0)
         return -1;
     finish(&hash, stamps->circumstances);

@@ -3,9 +3,8 @@
 
 #include "graders/engine/base/files.h"
 #include "graders/known/change.h"
+#include "reference/base/listing.h"
 
-#include <dirent.h>
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -94,39 +93,24 @@ static int read_submission(const struct place *place, const char *kind, const ch
 
 /* ----------------------------------------------------------------- folders */
 
-static int is_shown(const struct dirent *entry)
-{
-    return entry->d_name[0] != '.';
-}
-
-static void free_entries(struct dirent **entries, int count)
-{
-    for (int i = 0; i < count; i++)
-        free(entries[i]);
-    free(entries);
-}
-
 static int read_kind(const struct place *place, const char *kind, struct known_list *list,
                      struct error *err)
 {
-    struct dirent **entries = NULL;
     char path[PATH_MAX];
     if (join(path, place->folder, kind, err) != 0)
         return -1;
-    int result = 0, count = scandir(path, &entries, is_shown, alphasort);
-    if (count < 0)
-        return errno == ENOENT ? 0 : error_set(err, "%s: %s", path, strerror(errno));
-    for (int i = 0; i < count && result == 0; i++) {
-        const char *name = entries[i]->d_name;
-        if (!ends_in(name, ".c") && !ends_in(name, ".change"))
-            result =
-                error_set(err, "%s/%s: neither a .c nor a .change file; take it out", path, name);
+    char **names = listing_files(path, "", err);
+    int result = names ? 0 : -1;
+    for (size_t i = 0; result == 0 && names[i]; i++) {
+        if (!ends_in(names[i], ".c") && !ends_in(names[i], ".change"))
+            result = error_set(err, "%s/%s: neither a .c nor a .change file; take it out", path,
+                               names[i]);
         else if (list->count == SUBMISSIONS_MAX)
             result = error_set(err, "%s: more than %d submissions", path, SUBMISSIONS_MAX);
         else
-            result = read_submission(place, kind, name, &list->submissions[list->count++], err);
+            result = read_submission(place, kind, names[i], &list->submissions[list->count++], err);
     }
-    free_entries(entries, count);
+    free(names);
     return result;
 }
 
@@ -141,18 +125,15 @@ static bool is_kind(const char *name)
 /* Folders that are no kind are slips of the pen: what stands in them would never be graded. */
 static int check_folders(const struct place *place, struct error *err)
 {
-    struct dirent **entries = NULL;
-    int result = 0, count = scandir(place->folder, &entries, is_shown, alphasort);
-    if (count < 0 && errno != ENOENT)
-        return error_set(err, "%s: %s", place->folder, strerror(errno));
-    for (int i = 0; i < count && result == 0; i++)
-        if (entries[i]->d_type == DT_DIR && !is_kind(entries[i]->d_name))
+    char **names = listing_folders(place->folder, err);
+    int result = names ? 0 : -1;
+    for (size_t i = 0; result == 0 && names[i]; i++)
+        if (!is_kind(names[i]))
             result = error_set(err,
                                "%s/%s: no kind of submission; use right, wrong, slow, greedy, "
                                "crash, leak or hostile",
-                               place->folder, entries[i]->d_name);
-    if (count >= 0)
-        free_entries(entries, count);
+                               place->folder, names[i]);
+    free(names);
     return result;
 }
 
