@@ -98,7 +98,7 @@ DEPENDENCIES = -MMD -MP
 # ---------------------------------------------------------------- the programs
 LIBRARY_SOURCES := $(wildcard reference/base/*.c reference/mesh/*.c reference/formats/*.c \
   reference/representation/*.c reference/kernels/*.c bench/measure/*.c bench/compare/*.c graders/wire/*.c \
-  graders/box/*.c graders/engine/*.c graders/engine/*/*.c graders/scene/*.c graders/library/*.c graders/judges/*.c graders/judges/*/*.c \
+  graders/box/*.c graders/engine/*.c graders/engine/*/*.c graders/known/*.c graders/scene/*.c graders/library/*.c graders/judges/*.c graders/judges/*/*.c \
   graders/report/*.c graders/report/*/*.c)
 LIBRARY_OBJECTS := $(LIBRARY_SOURCES:%.c=$(BUILD)/%.o) $(BUILD)/judge-table.o \
   $(BUILD)/representation-table.o $(BUILD)/counted-representations.o
@@ -310,8 +310,8 @@ $(MUTANT_JUDGE): $(BUILD)/tests/mutants/judge_mutants.o $(BUILD)/libmeshgrade.a
 	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ $(LDLIBS)
 test: $(MUTANT_JUDGE)
 .PHONY: mutants
-mutants: all $(MUTANT_JUDGE) ## mutants of right answers against the judges, SAMPLE a file (0: all)
-	@tests/mutants/run --program $(MUTANT_JUDGE) --sample $(SAMPLE)
+mutants: all $(MUTANT_JUDGE) ## mutants of right answers against the judges, SAMPLE a file (0: all); NAME=exercise
+	@tests/mutants/run --program $(MUTANT_JUDGE) --sample $(SAMPLE) $(NAME:%=--exercise %)
 
 # ---------------------------------------------------------------- faults of the machine
 POINTS ?= 50

@@ -1,9 +1,8 @@
-/* The judge of the area: its own sum against areas known by formula, answers of every kind, and
- * known submissions. */
+/* The judge of the area: its own sum against areas known by formula, and answers of every kind.
+ */
 #include "graders/library/mesh_area.h"
 #include "reference/base/random.h"
 #include "reference/mesh/generate.h"
-#include "tests/unit/submissions.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -252,12 +251,6 @@ static void inputs_are_valid(void **state)
     }
 }
 
-static void submissions_are_told_apart(void **state)
-{
-    (void)state;
-    submissions_check(&judge_mesh_area, "processing");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -269,7 +262,6 @@ int main(void)
         cmocka_unit_test(usual_mistakes_are_guessed),
         cmocka_unit_test(what_is_not_counted_is_shown),
         cmocka_unit_test(inputs_are_valid),
-        cmocka_unit_test(submissions_are_told_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

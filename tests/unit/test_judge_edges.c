@@ -1,8 +1,7 @@
-/* The judges of the edge tables: known submissions, and answers of every kind against an oracle
- * that compares with a matrix of all pairs. */
+/* The judges of the edge tables: answers of every kind against an oracle that compares with a
+ * matrix of all pairs. */
 #include "graders/library/mesh_case.h"
 #include "reference/base/random.h"
-#include "tests/unit/submissions.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -189,18 +188,6 @@ static void mutate(struct trial *t, struct answer *answer)
 
 /* ---------------------------------------------------------------------------------------- tests */
 
-static void any_tells_submissions_apart(void **state)
-{
-    (void)state;
-    submissions_check(&judge_edge_table_any, "edges");
-}
-
-static void closed_tells_submissions_apart(void **state)
-{
-    (void)state;
-    submissions_check(&judge_edge_table_closed, "edges");
-}
-
 static void right_tables_are_accepted_in_any_order(void **state)
 {
     (void)state;
@@ -385,8 +372,6 @@ int main(void)
         cmocka_unit_test(an_edge_of_the_only_triangle_says_nothing_of_the_last),
         cmocka_unit_test(wild_counts_are_claims),
         cmocka_unit_test(inputs_are_valid_and_repeat),
-        cmocka_unit_test(any_tells_submissions_apart),
-        cmocka_unit_test(closed_tells_submissions_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
