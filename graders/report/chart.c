@@ -15,7 +15,7 @@ static bool names_family(const char *sentence, const char *family)
 {
     size_t length = strlen(family);
     for (const char *at = sentence; length > 0 && (at = strstr(at, family)) != NULL; at++)
-        if ((at == sentence || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
+        if ((at == sentence || at[-1] == ' ') && (at[length] == '\0' || strchr(" ;,.", at[length])))
             return true;
     return false;
 }

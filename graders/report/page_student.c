@@ -105,10 +105,9 @@ static void write_not_run(struct html *page, const json_t *result)
     html_both(page, not_run.reason);
     html_text(page, " ");
     html_both(page,
-              (struct phrase){"What was not run gives no points; mend what stands below "
-                              "first, then the others are run too.",
-                              "Lo que no se ejecutó no da puntos; corrige primero lo de abajo "
-                              "y se ejecutarán también los demás."});
+              (struct phrase){"Fix the problems below first; the remaining cases run after that.",
+                              "Corrige primero los problemas de abajo; los demás casos se "
+                              "ejecutarán después."});
     html_close(page, "p");
 }
 

@@ -219,29 +219,35 @@ static void put_score(FILE *to, const json_t *result, const struct terminal_styl
 
 /* ---------------------------------------------------------------- the rest */
 
-/* Whether a check says why it gave no points: it failed, or a tool could not finish it. */
+/* Whether a check says why it gave no points: it failed, a tool could not finish it, or a call that
+ * it rests on went wrong. That something before it failed is no reason of its own. */
 static bool tells_why(const json_t *check)
 {
+    static const char *const told_elsewhere[] = {"no-valgrind", "not-reached", "basic-class", ""};
     const char *verdict = result_text(check, "verdict");
-    return words_standing(verdict) == STANDING_FAILED ||
-           (strcmp(verdict, "not-measured") == 0 &&
-            strcmp(result_text(check, "cause"), "no-valgrind") != 0);
+    if (words_standing(verdict) != STANDING_ABSENT)
+        return words_standing(verdict) == STANDING_FAILED;
+    for (size_t i = 0; i < sizeof told_elsewhere / sizeof *told_elsewhere; i++)
+        if (strcmp(result_text(check, "cause"), told_elsewhere[i]) == 0)
+            return false;
+    return true;
 }
 
-/* Checks without points say why; the one that the first lines told does not say it again. */
+/* Checks without points say why. What the first lines told, or the check before, is not said again.
+ */
 static void put_check_messages(FILE *to, const json_t *result, const struct terminal_style *style)
 {
     size_t i;
     json_t *check;
-    bool any = false;
+    const char *last = "";
     const json_t *told = telling_case(result) ? NULL : telling_check(result);
     json_array_foreach(json_object_get(result, "checks"), i, check)
     {
         const char *message = words_choose(words_in(check, "message"), style->spanish);
-        if (check == told || !tells_why(check) || !*message)
+        if (check == told || !tells_why(check) || strcmp(message, last) == 0)
             continue;
-        fputs(any ? "" : "\n", to);
-        any = true;
+        fputs(*last ? "" : "\n", to);
+        last = message;
         terminal_paragraph(to, "  ", message);
     }
 }

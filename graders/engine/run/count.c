@@ -182,8 +182,8 @@ static int blame_dump(const struct series *series, const struct error *why, stru
     if (series_check_way(series, err) != 0)
         return -1;
     attempt_say(failure, VERDICT_FLAGGED, &no_counts,
-                "The work counts look tampered with (%.200s): a person must look at them.",
-                "Las cuentas del trabajo parecen manipuladas (%.200s): debe mirarlas una persona.",
+                "The work counts look tampered with (%.200s): a person must look at it.",
+                "Las cuentas del trabajo parecen manipuladas (%.200s): debe mirarlo una persona.",
                 why->text);
     return 0;
 }

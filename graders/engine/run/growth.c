@@ -55,7 +55,8 @@ static int measure_memory(struct trial *trial, int family, bool *right, struct e
     if (result == 0 && run.hidden_bytes > 0)
         check_say(
             &trial->checks[CHECK_MEMORY], VERDICT_FLAGGED, &memory_outside_heap,
-            "The process grew by %lld bytes more than malloc gave out: a person must look.",
+            "The process grew by %lld bytes more than malloc handed out: a person must "
+            "look at it.",
             "El proceso creció %lld bytes más de lo que dio malloc: debe mirarlo una persona.",
             (long long)run.hidden_bytes);
     attempt_release(&run.failure);
@@ -122,35 +123,28 @@ static void say_growth(struct trial *trial, int family)
 {
     const struct yardstick *yardstick = trial->yardstick;
     const struct family_result *found = &trial->families[family];
-    const struct exercise *exercise = yardstick->exercise;
+    const struct message *elements = &yardstick->exercise->growth_elements;
     struct check_result *check = &trial->checks[CHECK_GROWTH];
-    const char *class = growth_class_name(found->fit.class);
     struct phrase adjective = class_adjective(found->fit.class);
-    const struct message *elements = &exercise->growth_elements;
-    struct message name, size;
+    const char *class = growth_class_name(found->fit.class);
+    long long size = (long long)yardstick->sizes[found->size_count - 1];
+    struct message name;
     message_say(&name, "grows like %s", "crece como %s", class);
     const struct cause cause = {class, message_phrase(&name)};
-    check_say(check, VERDICT_GROWS_TOO_FAST, &cause, "With the inputs %s", "Con las entradas %s",
-              yardstick->judge->families[family]);
-    size.en[0] = size.es[0] = '\0';
-    long long largest = (long long)yardstick->sizes[found->size_count - 1];
-    message_en(&size, "at %lld %s", largest, elements->en);
-    message_es(&size, "con %lld %s", largest, elements->es);
     if (found->fit.decision == GROWTH_FAIL) {
-        double percent = 100 * found->fit.excess;
-        message_en(&check->message, ", %s %.0f %% of the work is %s", size.en, percent,
-                   adjective.en);
-        message_es(&check->message, ", %s, el %.0f %% del trabajo es %s", size.es, percent,
-                   adjective.es);
+        check_say(check, VERDICT_GROWS_TOO_FAST, &cause, "%.0f %% of the work is ",
+                  "El %.0f %% del trabajo es ", 100 * found->fit.excess);
+        message_add_phrase(&check->message, adjective);
     } else {
-        message_add(&check->message,
-                    " the work rises so fast above the reference's that counting was stopped",
-                    " el trabajo crece tanto más que el de la referencia que se dejó de contar");
-        message_en(&check->message, " %s", size.en);
-        message_es(&check->message, " %s", size.es);
+        check_say(check, VERDICT_GROWS_TOO_FAST, &cause,
+                  "The work is far above the reference's and grows like %s",
+                  "El trabajo supera con mucho al de la referencia y crece como %s", class);
     }
-    message_add(&check->message, "; at most %s is allowed.", "; se admite como mucho %s.",
-                exercise->growth_allowed);
+    message_en(&check->message, " at %lld %s", size, elements->en);
+    message_es(&check->message, " con %lld %s", size, elements->es);
+    message_add(&check->message, " with the inputs %s; at most %s is allowed.",
+                " de las entradas %s; se admite como mucho %s.", yardstick->judge->families[family],
+                yardstick->exercise->growth_allowed);
 }
 
 static int judge_growth(struct trial *trial, int family, bool *right, struct error *err)
@@ -267,9 +261,9 @@ static int judge_work(struct trial *trial, struct error *err)
 /* Counts come from the submission's own process, which can lie to the tool that counts. Time cannot
  * be hidden: an honest program that counts r times the reference's cost takes up to 4.2 r times its
  * time, and a greedy one, which counts little but whose pages the kernel must clear, up to 13.
- * Beyond TIME_FLOOR + TIME_TO_COUNT r a person must look. What is claimed within the band of an
- * exercise that judges work so allows at most that sum at the band itself; a claim beyond the band
- * loses the mark unless the time is within it. */
+ * Beyond TIME_FLOOR + TIME_TO_COUNT r a person must look. So a submission that lies within the band
+ * can take at most TIME_FLOOR + TIME_TO_COUNT x band times the reference's time; a claim beyond the
+ * band loses the mark unless the time is within it. */
 static int check_counts(struct trial *trial, struct error *err)
 {
     int largest = trial->yardstick->size_count - 1;
@@ -290,14 +284,15 @@ static int check_counts(struct trial *trial, struct error *err)
         if (!denied)
             continue;
         for (int i = 0; i < SIZED_CHECKS; i++)
-            check_say(&trial->checks[sized_checks[i]], VERDICT_FLAGGED, &time_denies_counts,
-                      "On the inputs %s the counted cost is %.2f times the reference's, but on new "
-                      "meshes the time is more than %.0f times, or no answer comes: a person "
-                      "must look.",
-                      "Con las entradas %s el coste contado es %.2f veces el de la referencia, "
-                      "pero con mallas nuevas el tiempo es más de %.0f veces, o no responde: debe "
-                      "mirarlo una persona.",
-                      trial->yardstick->judge->families[family], ratio, bound);
+            check_say(
+                &trial->checks[sized_checks[i]], VERDICT_FLAGGED, &time_denies_counts,
+                "On the inputs %s the counted cost is %.2f times the reference's, but on new "
+                "meshes the time is more than %.0f times the reference's, or there is no "
+                "answer: a person must look at it.",
+                "Con las entradas %s el coste contado es %.2f veces el de la referencia, "
+                "pero con mallas nuevas el tiempo es más de %.0f veces el de la referencia, o no "
+                "responde: debe mirarlo una persona.",
+                trial->yardstick->judge->families[family], ratio, bound);
         return 0;
     }
     return 0;

@@ -83,8 +83,8 @@ SENTENCES = {
                             "Desbordamiento de entero con signo en area.c, línea 14."),
     "wrong-answer": ("An answer is wrong.", "Una respuesta es incorrecta."),
     "leak": ("4096 bytes were allocated and never freed.", "4096 bytes se reservaron y no se liberaron."),
-    "grows-too-fast": ("With the inputs fan, at 8192 triangles 98 % of the work is quadratic; at most n lg n is allowed.",
-                       "Con las entradas fan, con 8192 triángulos, el 98 % del trabajo es cuadrático; "
+    "grows-too-fast": ("98 % of the work is quadratic at 8192 triangles with the inputs fan; at most n lg n is allowed.",
+                       "El 98 % del trabajo es cuadrático con 8192 triángulos de las entradas fan; "
                        "se admite como mucho n lg n."),
     "too-much-work": ("The answer needs 61 times the work of the reference; 40 times are allowed.",
                       "La respuesta necesita 61 veces el trabajo de la referencia; se permiten 40."),
