@@ -48,7 +48,7 @@ std::vector<legend_entry> legend_of(const scene &from, const shape &mesh, const 
     return entries;
 }
 
-/* Then any view shows faults, and the usual one also what is right beside them. */
+/* With that many faults every view shows some, so the default view is used. */
 bool most_is_at_fault(const scene &from)
 {
     int64_t count = 0;

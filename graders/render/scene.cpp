@@ -192,7 +192,7 @@ scene_kind kind_of(const json_t *json)
 }
 } // namespace
 
-void read_scene(const std::string &path, scene &out)
+void read_scene(const std::string &path, const std::string &language, scene &out)
 {
     std::error_code failed;
     uintmax_t bytes = std::filesystem::file_size(path, failed);
@@ -203,6 +203,7 @@ void read_scene(const std::string &path, scene &out)
     std::unique_ptr<json_t, json_releaser> json(json_load_file(path.c_str(), 0, &error));
     if (!json || !json_is_object(json.get()))
         throw std::runtime_error(path + ": not a scene: " + (json ? "no object" : error.text));
+    choose_language(json.get(), language);
     read_notes(json.get(), out);
     out.kind = kind_of(json.get());
     out.cut = json_is_true(json_object_get(json.get(), "cut"));

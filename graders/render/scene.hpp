@@ -89,9 +89,10 @@ struct not_showable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/* Reads a scene; its file may hold anything. `out` gets what could be read even when it throws.
- * Throws not_showable (sizes that lie, indices out of range, coordinates that are not finite, more
- * than a picture can show) or std::runtime_error (no file, not JSON). */
-void read_scene(const std::string &path, scene &out);
+/* Reads a scene with its texts in a language, "en" or "es"; its file may hold anything. `out` gets
+ * what could be read even when it throws. Throws not_showable (sizes that lie, indices out of
+ * range, coordinates that are not finite, more than a picture can show) or std::runtime_error (no
+ * file, not JSON). */
+void read_scene(const std::string &path, const std::string &language, scene &out);
 
 #endif

@@ -1,5 +1,6 @@
-/* The second witness of speed; see pace.h and trial.h. It has a word in marks for speed, and it is
- * what counts are checked by: they come from the submission's own process. */
+/* The second witness of speed; see pace.h and trial.h. It decides marks
+ * for speed together with the counts, and catches false counts, which come from the submission's
+ * own process. */
 #include "graders/engine/run/pace.h"
 
 #include "bench/measure/sign_test.h"

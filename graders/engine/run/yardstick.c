@@ -84,7 +84,7 @@ static int run_reference(struct yardstick *yardstick, size_t index, struct error
                              &reference_limits, MODE_PLAIN, 0, &attempt, err);
     if (result == 0 && attempt.verdict != VERDICT_PASSED)
         result = error_set(err, "exercise %s: the reference fails case %s: %s %s",
-                           yardstick->exercise->name, c->name, attempt.cause, attempt.message);
+                           yardstick->exercise->name, c->name, attempt.cause, attempt.message.en);
     yardstick->reference_cpu_ns[index] = attempt.cpu_ns > 0 ? attempt.cpu_ns : 1;
     attempt_release(&attempt);
     return result;
@@ -152,9 +152,9 @@ static int build_reference(struct yardstick *yardstick, struct error *err)
     int result = build_submission(exercise, &source, 1, &yardstick->reference, err);
     free(text);
     if (result == 0 && yardstick->reference.refusal.refused)
-        result = error_set(err, "%s does not build: %s: %s %.200s", path,
-                           yardstick->reference.refusal.cause, yardstick->reference.refusal.message,
-                           yardstick->reference.diagnostics);
+        result = error_set(
+            err, "%s does not build: %s: %s %.200s", path, yardstick->reference.refusal.cause,
+            yardstick->reference.refusal.message.en, yardstick->reference.diagnostics);
     return result;
 }
 
@@ -190,7 +190,7 @@ static int measure_reference(struct yardstick *yardstick, struct error *err)
         if (result == 0 && verdict != VERDICT_PASSED)
             result = error_set(err, "exercise %s: the reference fails on %s: %s %s",
                                yardstick->exercise->name, yardstick->judge->families[family],
-                               run.failure.cause, run.failure.message);
+                               run.failure.cause, run.failure.message.en);
         attempt_release(&run.failure);
         if (result != 0)
             return -1;

@@ -147,7 +147,7 @@ static void join_twins(struct roster *roster)
         struct upload *last = kept ? &list->uploads[kept - 1] : NULL;
         if (last && is_same_student(roster, kept - 1, i) &&
             last->exercise == list->uploads[i].exercise) {
-            refuse(&last->refusal, "file-twice", "%s was handed in twice.",
+            refuse(&last->refusal, &upload_file_twice, "%s was handed in twice.",
                    "%s se entregó dos veces.", last->exercise ? last->exercise : "It");
             upload_settle(last);
             upload_release(&list->uploads[i]);
@@ -261,7 +261,7 @@ int upload_read_files(const char *const *paths, int path_count, const char *exer
         free(bytes);
     }
     if (result == 0 && upload->refusal.is_fault)
-        result = error_set(err, "%s", upload->refusal.message);
+        result = error_set(err, "%s", upload->refusal.message.en);
     if (result == 0)
         upload_settle(upload);
     return result;
