@@ -1,6 +1,6 @@
 /* Scenes as JSON; the format stands in graders/render/README.md. */
 #include "graders/scene/cut.h"
-#include "graders/scene/scene.h"
+#include "graders/scene/polygon.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -60,24 +60,52 @@ static json_t *vertices_to_json(const struct mark *mark)
     return vertices;
 }
 
-static json_t *mark_to_json(const struct mark *mark)
+/* The triangles that fill a face of more than three corners; NULL for what needs none. */
+static json_t *fill_to_json(const struct scene *scene, const struct mark *mark)
 {
-    return json_pack("{s:s, s:s, s:o}", "kind", mark_names[mark->kind], "element",
-                     element_names[mark->element], "vertex", vertices_to_json(mark));
+    size_t corners = (size_t)mark->count;
+    if (mark->element != ELEMENT_FACE || mark->count <= 3)
+        return NULL;
+    int32_t *triangles = malloc((4 * corners) * sizeof *triangles);
+    json_t *fill = triangles ? json_array() : NULL;
+    if (triangles)
+        polygon_triangles(scene->mesh.positions, mark_vertices(mark), mark->count,
+                          triangles + 3 * corners, triangles);
+    for (size_t i = 0; fill && i < 3 * (corners - 2); i++)
+        json_array_append_new(fill, json_integer(triangles[i]));
+    free(triangles);
+    return fill;
 }
 
-static json_t *label_to_json(const struct label *label)
+static json_t *mark_to_json(const struct scene *scene, const struct mark *mark)
 {
-    return json_pack("{s:s, s:o, s:I}", "element", element_names[label->at.element], "vertex",
-                     vertices_to_json(&label->at), "number", (json_int_t)label->number);
+    return json_pack("{s:s, s:s, s:o, s:o*}", "kind", mark_names[mark->kind], "element",
+                     element_names[mark->element], "vertex", vertices_to_json(mark), "fill",
+                     fill_to_json(scene, mark));
+}
+
+/* The marks that fit into the mesh. */
+static json_t *marks_to_json(const struct scene *scene)
+{
+    json_t *marks = json_array();
+    for (int m = 0; marks && m < scene->kept_mark_count; m++)
+        if (scene_mark_fits(scene, &scene->marks[m]))
+            json_array_append_new(marks, mark_to_json(scene, &scene->marks[m]));
+    return marks;
 }
 
 static json_t *labels_to_json(const struct scene *scene)
 {
     json_t *labels = json_array();
-    for (int l = 0; labels && l < scene->label_count; l++)
-        if (scene_mark_fits(scene, &scene->labels[l].at))
-            json_array_append_new(labels, label_to_json(&scene->labels[l]));
+    for (int l = 0; labels && l < scene->label_count; l++) {
+        const struct label *label = &scene->labels[l];
+        if (scene_mark_fits(scene, &label->at))
+            json_array_append_new(labels, json_pack("{s:s, s:o, s:o*, s:I}", "element",
+                                                    element_names[label->at.element], "vertex",
+                                                    vertices_to_json(&label->at), "fill",
+                                                    fill_to_json(scene, &label->at), "number",
+                                                    (json_int_t)label->number));
+    }
     return labels;
 }
 
@@ -96,16 +124,6 @@ static json_t *faces_to_json(const struct scene_faces *faces)
                   json_base64(faces->corners, corners * sizeof *faces->corners));
     free(sizes);
     return json;
-}
-
-/* The marks that fit into the mesh. */
-static json_t *marks_to_json(const struct scene *scene)
-{
-    json_t *marks = json_array();
-    for (int m = 0; marks && m < scene->kept_mark_count; m++)
-        if (scene_mark_fits(scene, &scene->marks[m]))
-            json_array_append_new(marks, mark_to_json(&scene->marks[m]));
-    return marks;
 }
 
 /* Adds "mesh", "polygons", "marks", "labels" and "cut"; what there is none of is left out. */

@@ -77,6 +77,8 @@ static void every_element_is_written_by_its_vertices(void **state)
         assert_vertices(mark, expected[m].count, expected[m].vertices);
     }
     assert_int_equal(number_of(json_object_get(json, "mark_counts"), "turn-1"), 1);
+    assert_int_equal(json_array_size(json_object_get(json_array_get(marks, 4), "fill")), 9);
+    assert_null(json_object_get(json_array_get(marks, 2), "fill"));
     json_decref(json);
     scene_release(&scene);
 }
