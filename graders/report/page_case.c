@@ -5,6 +5,7 @@
 #include "graders/report/chart.h"
 #include "graders/report/documents.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static const struct {
@@ -14,8 +15,15 @@ static const struct {
     {"missing", {"missing", "falta"}},   {"duplicate", {"duplicate", "duplicada"}},
     {"extra", {"extra", "sobra"}},       {"degenerate", {"degenerate", "degenerada"}},
     {"boundary", {"boundary", "borde"}}, {"flipped", {"flipped", "invertida"}},
-    {"wrong", {"wrong", "incorrecta"}},
+    {"wrong", {"wrong", "incorrecta"}},  {"right", {"should be", "debería ser"}},
 };
+
+/* What the scene calls the marks of a kind, else the usual word. */
+static struct phrase mark_name(const json_t *scene, const char *kind, struct phrase usual)
+{
+    struct phrase name = words_in(json_object_get(scene, "mark_names"), kind);
+    return name.en && name.en[0] ? name : usual;
+}
 
 static void write_legend_entry(struct html *page, const char *kind, struct phrase words,
                                json_int_t count)
@@ -31,6 +39,28 @@ static void write_legend_entry(struct html *page, const char *kind, struct phras
     html_close(page, "li");
 }
 
+/* Turn colours: an entry for each that has a name of its own, and one for the others. */
+static void write_turns(struct html *page, const json_t *scene)
+{
+    enum { TURNS = 6 };
+    const struct words parts = {"parts", "partes"};
+    const json_t *counts = json_object_get(scene, "mark_counts");
+    json_int_t others = 0;
+    for (int turn = 0; turn < TURNS; turn++) {
+        char kind[16];
+        snprintf(kind, sizeof kind, "turn-%d", turn);
+        json_int_t count = json_integer_value(json_object_get(counts, kind));
+        struct words name = mark_name(scene, kind, (struct words){NULL, NULL});
+        if (name.en && count > 0)
+            write_legend_entry(page, kind, name, count);
+        else
+            others += count;
+    }
+    json_int_t all = json_integer_value(json_object_get(scene, "turn_count"));
+    if (others > 0)
+        write_legend_entry(page, "turns", mark_name(scene, "turns", parts), all ? all : others);
+}
+
 static void write_legend(struct html *page, const json_t *scene)
 {
     const json_t *counts = json_object_get(scene, "mark_counts");
@@ -43,8 +73,10 @@ static void write_legend(struct html *page, const json_t *scene)
     for (size_t i = 0; i < sizeof mark_words / sizeof *mark_words; i++) {
         json_int_t count = json_integer_value(json_object_get(counts, mark_words[i].kind));
         if (count > 0)
-            write_legend_entry(page, mark_words[i].kind, mark_words[i].words, count);
+            write_legend_entry(page, mark_words[i].kind,
+                               mark_name(scene, mark_words[i].kind, mark_words[i].words), count);
     }
+    write_turns(page, scene);
     html_close(page, "ul");
     if (json_is_true(json_object_get(scene, "cut")))
         html_both_leaf(page, "p", "quiet",
