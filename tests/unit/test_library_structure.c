@@ -435,8 +435,8 @@ static void faults_have_words(void **state)
     answer.row_count = 8;
     fault = compare(&truth, &answer);
     structure_fault_say(&fault, &message);
-    assert_string_equal(message.en, "edge (0,5) is missing");
-    assert_string_equal(message.es, "falta la arista (0,5)");
+    assert_string_equal(message.en, "edge (5,0) is missing");
+    assert_string_equal(message.es, "falta la arista (5,0)");
     structure_fault_release(&fault);
     answer.row_count = 9;
     memcpy(s.winged[8], s.winged[2], sizeof s.winged[2]);
