@@ -38,17 +38,4 @@ void submission_run(const struct submission *submission, struct span input, size
                     int64_t failing_allocation, struct submission_answer *answer);
 void submission_answer_release(struct submission_answer *answer);
 
-/* Checks an exercise's answers and its judge against each other, and fails the test with a list of
- * all that is not as it should be:
- * - exercise.json: the points sum to 10, the classes are those of the judge's cases;
- * - the reference and every right/, slow/, greedy/ and leak/ submission is accepted in every case,
- *   and frees all but in leak/, where something must be left in some case;
- * - the reference and every right/ submission survives every failing allocation and says so;
- * - starter.c fails the first class; every wrong/ submission (and others that say `expect:
- *   wrong-answer`) fails some class, and just the classes that its `fails:` line names;
- * - every class has a submission that fails just that class;
- * - every input of make_sized (first_size and its first two doublings) is answered rightly by the
- *   reference. */
-void submissions_check(const struct judge *judge, const char *group);
-
 #endif

@@ -233,12 +233,6 @@ static void what_is_not_counted_is_shown(void **state)
     writer_release(&input);
 }
 
-static void submissions_are_told_apart(void **state)
-{
-    (void)state;
-    submissions_check(&judge_mesh_area, "processing");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -249,7 +243,6 @@ int main(void)
         cmocka_unit_test(any_bytes_are_survived),
         cmocka_unit_test(usual_mistakes_are_guessed),
         cmocka_unit_test(what_is_not_counted_is_shown),
-        cmocka_unit_test(submissions_are_told_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,7 @@
-/* The judges of the memory exercises: known submissions, what they must accept in any order, what
- * they must never accept, and answers of any bytes. */
+/* The judges of the memory exercises: what they must accept in any order, and what they must never
+ * accept. */
 #include "graders/judges/judge.h"
 #include "reference/base/random.h"
-#include "tests/unit/answers.h"
 #include "tests/unit/submissions.h"
 
 #include <math.h>
@@ -16,24 +15,6 @@
 
 extern const struct judge judge_memory_indexed_grid, judge_memory_strips,
     judge_memory_voxels_vs_mesh;
-
-static void test_indexed_grid_submissions(void **state)
-{
-    (void)state;
-    submissions_check(&judge_memory_indexed_grid, "memory");
-}
-
-static void test_strips_submissions(void **state)
-{
-    (void)state;
-    submissions_check(&judge_memory_strips, "memory");
-}
-
-static void test_voxels_vs_mesh_submissions(void **state)
-{
-    (void)state;
-    submissions_check(&judge_memory_voxels_vs_mesh, "memory");
-}
 
 /* ----------------------------------------------------------------- answers */
 
@@ -317,25 +298,13 @@ static void test_measured_memory(void **state)
     }
 }
 
-static void test_any_bytes(void **state)
-{
-    (void)state;
-    answers_fuzz(&judge_memory_indexed_grid, "memory", 4000);
-    answers_fuzz(&judge_memory_strips, "memory", 4000);
-    answers_fuzz(&judge_memory_voxels_vs_mesh, "memory", 4000);
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_indexed_grid_submissions),
-                                       cmocka_unit_test(test_strips_submissions),
-                                       cmocka_unit_test(test_voxels_vs_mesh_submissions),
-                                       cmocka_unit_test(test_any_numbering_is_right),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_any_numbering_is_right),
                                        cmocka_unit_test(test_every_triangle_is_looked_at),
                                        cmocka_unit_test(test_every_coordinate_is_looked_at),
                                        cmocka_unit_test(test_every_bit_is_looked_at),
                                        cmocka_unit_test(test_numbers_are_exact_to_two_decimals),
-                                       cmocka_unit_test(test_measured_memory),
-                                       cmocka_unit_test(test_any_bytes)};
+                                       cmocka_unit_test(test_measured_memory)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

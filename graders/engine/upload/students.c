@@ -166,7 +166,7 @@ static int add_submission(struct reading *r, const char *display, int student, i
     if (places.other >= 0) {
         char first[REFUSAL_NAME], second[REFUSAL_NAME];
         const struct tree_node *a = &r->tree.nodes[places.best], *b = &r->tree.nodes[places.other];
-        refuse(&upload->refusal, "file-twice", "Handed in twice: as %s and as %s.",
+        refuse(&upload->refusal, &upload_file_twice, "Handed in twice: as %s and as %s.",
                "Entregado dos veces: como %s y como %s.", refusal_name(first, a->name, a->length),
                refusal_name(second, b->name, b->length));
     } else if (places.best < 0) {
@@ -227,7 +227,7 @@ static int add_student(struct reading *r, int student, const char *display)
         return -1;
     if (refusal)
         upload->refusal = *refusal;
-    refuse(&upload->refusal, "no-source",
+    refuse(&upload->refusal, &upload_no_source,
            "No file or folder is named after an exercise (%s.c, for example).",
            "Ningún archivo ni carpeta lleva el nombre de un ejercicio (por ejemplo, %s.c).",
            r->origin->exercises[0] ? r->origin->exercises[0] : "mesh-area");
@@ -346,7 +346,7 @@ static int note_unused(struct reading *r)
         if (r->used[i] || (kind == BUNDLE_METADATA && !file->refusal.refused))
             continue;
         result = add_note(r, file->path,
-                          file->refusal.refused   ? file->refusal.message
+                          file->refusal.refused   ? file->refusal.message.en
                           : kind == BUNDLE_SOURCE ? "not taken (not part of a submission, or the "
                                                     "exercise's own header)"
                                                   : "not taken (no .c or .h file)");
@@ -370,7 +370,7 @@ static int add_single_file(struct reading *r)
     if (!upload)
         return out_of_memory(r);
     if (!upload->exercise)
-        refuse(&upload->refusal, "no-source", "The file is not named after an exercise.",
+        refuse(&upload->refusal, &upload_no_source, "The file is not named after an exercise.",
                "El archivo no lleva el nombre de un ejercicio.");
     int result = take_node(r, upload, node);
     if (result == 0)
@@ -418,7 +418,7 @@ static int add_rest(struct reading *r, int students_before)
     upload->refusal = r->bundle->files[file].refusal;
     if (!is_class) {
         upload->refusal.is_fault = false;
-        strcpy(upload->refusal.cause, "archive-broken");
+        refusal_rename(&upload->refusal, &upload_archive_broken);
     }
     return 0;
 }

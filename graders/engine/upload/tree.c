@@ -103,7 +103,7 @@ static int add_path(struct building *b, int file)
     if (leaf->file >= 0) {
         char shown[REFUSAL_NAME];
         refusal_name(shown, leaf->name, leaf->length);
-        refuse(&b->bundle->files[leaf->file].refusal, "file-twice", "%s was handed in twice.",
+        refuse(&b->bundle->files[leaf->file].refusal, &upload_file_twice, "%s was handed in twice.",
                "%s se entregó dos veces.", shown);
         return 0;
     }
