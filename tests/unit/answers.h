@@ -3,7 +3,7 @@
 #ifndef TESTS_UNIT_ANSWERS_H
 #define TESTS_UNIT_ANSWERS_H
 
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 /* Takes the reference's answer to every case (of at most 64 KB, to an input of at most 256 KB) and
  * gives the judge `rounds` changed ones in all, with a seed of its own each: cut off, bits flipped,

@@ -1,10 +1,11 @@
 /* Known submissions against a judge, without the engine: a submission is compiled, linked with the
- * exercise's real runner (build/runner/<group>/<name>.plain.o) and run on a case in a process of its own.
- * There is no box, so nothing hostile may be run with this. Tests run in the root of the tree. */
+ * exercise's real runner (build/runner/<group>/<name>.plain.o) and run on a case in a process of
+ * its own. There is no box, so nothing hostile may be run with this. Tests run in the root of the
+ * tree. */
 #ifndef TESTS_UNIT_SUBMISSIONS_H
 #define TESTS_UNIT_SUBMISSIONS_H
 
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 /* A compiled submission; lives until submission_release. */
 struct submission {

@@ -1,6 +1,6 @@
 /* The judges of the edge tables: known submissions, and answers of every kind against an oracle
  * that compares with a matrix of all pairs. */
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 #include "reference/base/random.h"
 #include "tests/unit/submissions.h"
 
@@ -113,8 +113,8 @@ static bool judge_bytes(const struct judge *judge, const struct writer *input, c
     assert_int_equal(judge_answer(judge, in, out, NULL, judgement, &err), 0);
     free(copy);
     if (!judgement->accepted) {
-        assert_true(judgement->cause[0] && judgement->message.en[0] && judgement->message.es[0] && judgement->cause_name.en[0] &&
-                    judgement->cause_name.es[0]);
+        assert_true(judgement->cause[0] && judgement->message.en[0] && judgement->message.es[0] &&
+                    judgement->cause_name.en[0] && judgement->cause_name.es[0]);
         assert_true(strlen(judgement->message.en) + 1 < sizeof judgement->message.en);
         assert_true(strlen(judgement->message.es) + 1 < sizeof judgement->message.es);
         check_first_mark(judgement);
@@ -324,7 +324,8 @@ static void an_edge_of_the_only_triangle_says_nothing_of_the_last(void **state)
     writer_release(&input);
     /* Edge {3,4} alone, of the fan's last triangle; its other edge, {0,4}, is there. */
     struct edge_answer boundary = {{0, 1, 0, 2, 1, 2, 0, 3, 2, 3, 0, 4}, 6};
-    check_cause(&boundary, "missing-edge", "edge {3,4}", "1 of 7 edges is missing. Boundary edges are lost");
+    check_cause(&boundary, "missing-edge", "edge {3,4}",
+                "1 of 7 edges is missing. Boundary edges are lost");
     struct edge_answer last = {{0, 1, 0, 2, 1, 2, 0, 3, 2, 3}, 5};
     check_cause(&last, "missing-edge", "edge {0,4}", "Only edges of the last triangle are lost");
 }

@@ -1,5 +1,5 @@
 /* The judge of euler-closed-mesh: against the counts of real meshes. */
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 #include "reference/mesh/generate.h"
 
 #include <setjmp.h>
@@ -47,8 +47,8 @@ static bool judge_takes(int given, const int64_t counts[3])
     write_array(&answer, counts, 3, sizeof *counts);
     struct usage usage = {0};
     assert_int_equal(judge_answer(&judge_euler_closed_mesh, (struct span){input.bytes, input.count},
-                                                   (struct span){answer.bytes, answer.count},
-                                                   &usage, &judgement, &err),
+                                  (struct span){answer.bytes, answer.count}, &usage, &judgement,
+                                  &err),
                      0);
     writer_release(&input);
     writer_release(&answer);

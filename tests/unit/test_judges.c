@@ -154,7 +154,7 @@ static void fail_allocations(const struct judge *judge, const struct submission 
 
 static void check_sizes(const struct judge *judge, const struct submission *reference)
 {
-    char why[1000];
+    char why[1400];
     int64_t first = exercise_of(judge)->growth_first_size;
     for (int family = 0; family < judge_family_count(judge); family++)
         for (int i = 0; i < SIZES; i++) {
@@ -173,7 +173,7 @@ static void the_reference_is_accepted(void **state)
     (void)state;
     for (const struct judge *const *judge = judge_table; *judge; judge++) {
         struct submission reference;
-        char why[1000];
+        char why[1400];
         build(*judge, ".c", &reference);
         for (size_t i = 0; i < (*judge)->case_count; i++) {
             struct writer input;
@@ -199,7 +199,7 @@ static void the_starter_fails_the_basic_class(void **state)
         build(*judge, "/starter.c", &starter);
         for (size_t i = 0; i < (*judge)->case_count && !failed; i++) {
             struct writer input;
-            char why[1000];
+            char why[1400];
             if (strcmp((*judge)->cases[i].class_name, exercise_of(*judge)->classes[0].name) != 0)
                 continue;
             make_case(*judge, i, &input);

@@ -12,8 +12,8 @@
  * the student's.
  *
  * graders/library/library.h leads through the library, with an example of each part. */
-#ifndef GRADERS_JUDGES_JUDGE_H
-#define GRADERS_JUDGES_JUDGE_H
+#ifndef GRADERS_LIBRARY_JUDGE_H
+#define GRADERS_LIBRARY_JUDGE_H
 
 #include "graders/library/answer.h"
 #include "graders/library/families.h"

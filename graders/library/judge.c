@@ -1,5 +1,5 @@
 /* Inputs and answers by their declaration; see judge.h. */
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 #include "graders/library/questions.h"
 
