@@ -112,8 +112,8 @@ int32_t lattice_nearest(const struct lattice *lattice, const float position[3])
 int32_t lattice_point_at(const struct lattice *lattice, const float position[3])
 {
     int32_t point = lattice_nearest(lattice, position);
-    double x = (double)(point % (lattice->n + 1)) / lattice->n;
-    double y = (double)(point / (lattice->n + 1)) / lattice->m;
+    int32_t row = point / (lattice->n + 1), column = point % (lattice->n + 1);
+    double x = (double)column / lattice->n, y = (double)row / lattice->m;
     bool is_near = fabs((double)position[0] - x) <= PLACE_TOLERANCE &&
                    fabs((double)position[1] - y) <= PLACE_TOLERANCE &&
                    fabs((double)position[2]) <= PLACE_TOLERANCE;

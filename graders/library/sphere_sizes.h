@@ -20,8 +20,8 @@ extern const struct built_count sphere_byte_count, sphere_vertex_count, sphere_t
 
 /* The same mistakes for other tables; value: a function or a number. */
 #define MISTAKE_BYTE_A_CELL(value) \
-    MISTAKE(CAUSE_BYTE_A_CELL, value, "A cell takes a bit, not a byte.", \
-            "Una celda ocupa un bit, no un byte.")
+    {CAUSE_BYTE_A_CELL, (value), \
+     {"A cell takes a bit, not a byte.", "Una celda ocupa un bit, no un byte."}}
 #define MISTAKE_CLOSED_GRID(value) \
     MISTAKE(CAUSE("closed-grid", "closed grid", "rejilla cerrada"), value, \
             "That is with 2k^2 triangles: there are only k - 1 rows of cells between k parallels.", \
