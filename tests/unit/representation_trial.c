@@ -89,7 +89,7 @@ static bool build_trial(struct trial *trial)
     return false;
 }
 
-bool trial_init(struct trial *trial, const struct representation *kind, int i)
+bool representation_trial_init(struct trial *trial, const struct representation *kind, int i)
 {
     *trial = (struct trial){.kind = kind, .mesh = corpus_mesh(i)};
     current_kind = kind->name;
@@ -109,7 +109,7 @@ bool trial_init(struct trial *trial, const struct representation *kind, int i)
     return true;
 }
 
-void trial_release(struct trial *trial)
+void representation_trial_release(struct trial *trial)
 {
     representation_delete(trial->kind, trial->self);
     oracle_release(&trial->oracle);
@@ -124,9 +124,9 @@ void for_each_trial(int random_count, void (*test)(struct trial *trial))
     for (int kind = 0; representation_table[kind]; kind++)
         for (int i = 0; i < CORPUS_GENERATED + random_count; i++) {
             struct trial trial;
-            if (!trial_init(&trial, representation_table[kind], i))
+            if (!representation_trial_init(&trial, representation_table[kind], i))
                 continue;
             test(&trial);
-            trial_release(&trial);
+            representation_trial_release(&trial);
         }
 }
