@@ -245,8 +245,8 @@ static void refuses_a_name_for_what_is_wrong_with_it(const char *name, const cha
     assert_int_equal(upload.refusal.refused, why != NULL);
     if (why) {
         assert_string_equal(upload.refusal.cause, "file-name");
-        assert_non_null(strstr(upload.refusal.message, why));
-        assert_non_null(strstr(upload.refusal.message_es, why_es));
+        assert_non_null(strstr(upload.refusal.message.en, why));
+        assert_non_null(strstr(upload.refusal.message.es, why_es));
     }
     upload_release(&upload);
 }
