@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -36,14 +37,13 @@ int process_start(struct process *process, const char *const *argv, const char *
 {
     int in[2], out[2];
     *process = process_none();
-    if (pipe2(in, O_CLOEXEC) != 0)
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in) != 0) /* see tell */
         return error_set(err, "no pipe: %s", strerror(errno));
     if (pipe2(out, O_CLOEXEC) != 0) {
         close(in[0]);
         close(in[1]);
         return error_set(err, "no pipe: %s", strerror(errno));
     }
-    signal(SIGPIPE, SIG_IGN); /* a worker that died shows as an error of write */
     pid_t pid = fork();
     if (pid == 0)
         become(argv, environment, in[0], out[1]);
@@ -127,6 +127,17 @@ int process_read(struct process *process, int seconds, struct error *err)
     return 0;
 }
 
+/* A worker that died is an error here, not a signal: signals are the program's, not ours. A pipe
+ * would have no way to ask for that. */
+static bool tell(int to, const char *bytes, size_t count)
+{
+    ssize_t sent;
+    do
+        sent = send(to, bytes, count, MSG_NOSIGNAL);
+    while (sent < 0 && errno == EINTR);
+    return sent == (ssize_t)count;
+}
+
 int process_ask(struct process *process, const char *verb, const char *name, int seconds,
                 struct error *err)
 {
@@ -136,7 +147,7 @@ int process_ask(struct process *process, const char *verb, const char *name, int
         return error_set(err, "the worker has ended before");
     if (length >= (int)sizeof line)
         return error_set(err, "too long a line for a worker");
-    if (write(process->to, line, (size_t)length) != length)
+    if (!tell(process->to, line, (size_t)length))
         return tell_end(process, err);
     return process_read(process, seconds, err);
 }

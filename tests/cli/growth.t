@@ -11,4 +11,27 @@ ok "eight growths of one area algorithm are decided right" [ "$code" -eq 0 ]
 [ "$code" -eq 0 ] || sed 's/^/# /' "$scratch/table" "$scratch/err"
 ok "all of them were tried" matches "$scratch/table" '^8 solutions: 6 of 6 decided right'
 ok "variations of the counts were tried" matches "$scratch/table" ': 0 of 1000 variations'
+
+# -- a failure at one of the sizes that are added when the growth is not clear: a hidden quadratic term keeps it unclear
+sed 's/^double mesh_area(/static double plain_area(/; s/^#include <stddef.h>/&\n#include <stdlib.h>/' reference/answers/processing/mesh-area.c >"$scratch/late.c"
+cat >>"$scratch/late.c" <<'C'
+double mesh_area(const float *vertices, int32_t vertex_count, const int32_t *triangles,
+                 int32_t triangle_count)
+{
+    if (triangle_count > 9000)
+        abort();
+    for (volatile int64_t i = 0; i < (int64_t)triangle_count * triangle_count / 8000; i++)
+        continue;
+    return plain_area(vertices, vertex_count, triangles, triangle_count);
+}
+C
+"$meshgrade" check mesh-area "$scratch/late.c" --json >"$scratch/late.json"
+ok "a program that fails from 9,001 triangles on is told such a size" python3 - "$scratch/late.json" <<'P'
+import json, re, sys
+check = next(c for c in json.load(open(sys.argv[1]))["checks"] if c["name"] == "growth")
+text = check["message"]
+text = text["en"] if isinstance(text, dict) else text
+size = re.search(r"of size (\d+): .*stopped the program", text)
+assert size and int(size[1]) > 9000, text
+P
 done_testing

@@ -351,14 +351,19 @@ static int open_programs(struct build *build, struct error *err)
     return 0;
 }
 
+void build_clear(struct build *build)
+{
+    memset(build, 0, sizeof *build);
+    for (int kind = 0; kind < PROGRAM_COUNT; kind++)
+        build->program_fd[kind] = -1;
+}
+
 int build_submission(const struct exercise *exercise, const struct source *sources,
                      int source_count, struct build *build, struct error *err)
 {
     struct script script = {.count = 0};
     struct box_outcome outcome;
-    memset(build, 0, sizeof *build);
-    for (int kind = 0; kind < PROGRAM_COUNT; kind++)
-        build->program_fd[kind] = -1;
+    build_clear(build);
     if (folder_make_work(build->folder, err) != 0 ||
         write_sources(exercise, sources, source_count, build->folder, err) != 0 ||
         copy_runners(exercise, build->folder, err) != 0 || box_give_folder(build->folder, err) != 0)
@@ -398,4 +403,5 @@ void build_release(struct build *build)
         if (build->program_fd[kind] >= 0)
             close(build->program_fd[kind]);
     folder_remove_work(build->folder);
+    build_clear(build);
 }

@@ -41,6 +41,10 @@ struct build {
     uint32_t active_layers;              /* of the build box */
 };
 
+/* Nothing built: what build_release may be given before anything was. All zero is something else: it
+ * would own descriptor 0. */
+void build_clear(struct build *build);
+
 /* Builds. Returns 0 (look at build->refusal: a submission that does not compile is no error of
  * ours), or -1 and *err: a fault. build_release must follow in both cases. */
 int build_submission(const struct exercise *exercise, const struct source *sources,

@@ -100,6 +100,8 @@ int examine(const struct judge *judge, struct span input, struct span answer,
         error_set(err, "judge %s: %s", judge->exercise, message->err.text);
     if (result == 0)
         examination->judgement = message->judgement;
+    else
+        examination_release(examination);
 out:
     free(message);
     if (file >= 0)

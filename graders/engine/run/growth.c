@@ -75,7 +75,7 @@ static int count_sizes(struct trial *trial, int family, int first, int last, boo
     found->hopeless = run.hopeless;
     *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
     if (result == 0 && !*right)
-        blame_failure(trial, family, run.done, &run.failure);
+        blame_failure(trial, family, first + run.done, &run.failure);
     attempt_release(&run.failure);
     return result;
 }

@@ -27,15 +27,19 @@ int region_make(struct region *region, size_t bytes, bool input, struct error *e
     return 0;
 failed:
     error_set(err, "shared memory of %zu bytes: %s", capacity, strerror(errno));
-    region_release(region);
+    if (region->bytes)
+        munmap(region->bytes, capacity);
+    if (region->fd >= 0)
+        close(region->fd);
+    *region = (struct region){.fd = -1};
     return -1;
 }
 
 void region_release(struct region *region)
 {
-    if (region->bytes)
+    if (region->bytes) { /* all zero is nothing made, not descriptor 0 */
         munmap(region->bytes, region->capacity);
-    if (region->fd >= 0)
         close(region->fd);
+    }
     *region = (struct region){.fd = -1};
 }

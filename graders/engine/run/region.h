@@ -22,7 +22,7 @@ struct region {
  * returns  0, or -1 and *err (then *region is the empty one) */
 int region_make(struct region *region, size_t bytes, bool input, struct error *err) MUST_CHECK;
 
-/* Unmaps and closes; the empty region (fd -1, bytes NULL) may be released. */
+/* Unmaps and closes; the empty region (bytes NULL) may be released. */
 void region_release(struct region *region);
 
 #endif

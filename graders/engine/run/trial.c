@@ -106,6 +106,7 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
               struct error *err)
 {
     memset(trial, 0, sizeof *trial);
+    build_clear(&trial->build);
     trial->yardstick = yardstick;
     trial->student = student;
     trial->sources = sources;

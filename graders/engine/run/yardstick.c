@@ -217,8 +217,7 @@ int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise,
                    uint32_t class_seed, bool quick, struct error *err)
 {
     memset(yardstick, 0, sizeof *yardstick);
-    for (int kind = 0; kind < PROGRAM_COUNT; kind++)
-        yardstick->reference.program_fd[kind] = -1;
+    build_clear(&yardstick->reference);
     for (int family = 0; family < FAMILIES_MAX; family++)
         for (int i = 0; i < SIZES_MAX; i++)
             yardstick->sized[family][i].region.fd = -1;
@@ -254,4 +253,5 @@ void yardstick_release(struct yardstick *yardstick)
     free(yardstick->seeded_cases);
     build_release(&yardstick->reference);
     memset(yardstick, 0, sizeof *yardstick);
+    build_clear(&yardstick->reference);
 }
