@@ -75,13 +75,12 @@ struct real_row {
     int width;
 };
 
-static void load_row(const struct reals *found, const double *right, int64_t number, int width,
+static void load_row(const struct reals *found, const double *right, int64_t number,
                      const struct real_rule *rule, struct real_row *row)
 {
-    row->width = width;
     row->scale = rule->scale ? rule->scale[number] : (double)NAN;
-    for (int i = 0; i < width; i++) {
-        int64_t at = number * width + i;
+    for (int i = 0; i < row->width; i++) {
+        int64_t at = number * row->width + i;
         row->found[i] = found->floats ? (double)found->floats[at] : found->doubles[at];
         row->right[i] = right[at];
     }
@@ -151,8 +150,8 @@ static void look_at_row(const struct real_row *row, int64_t number, const struct
         if (!is_wrong(d))
             continue;
         note_wrong(fault, number, row, column);
-        bool is_worse =
-            excess_of(d) > *worst || (excess_of(d) == *worst && d.error > fault->worst_error);
+        bool is_alike = excess_of(d) == *worst && isinf(*worst); /* where nothing is allowed */
+        bool is_worse = excess_of(d) > *worst || (is_alike && d.error > fault->worst_error);
         if (fault->worst_row < 0 || is_worse) {
             *worst = excess_of(d);
             fault->worst_row = number;
@@ -177,8 +176,8 @@ int reals_compare(const struct reals *found, const double *right, int64_t row_co
         return error_set(err, "out of memory: comparing %" PRId64 " rows", row_count);
     double worst = 0;
     for (int64_t number = 0; number < row_count; number++) {
-        struct real_row row;
-        load_row(found, right, number, width, rule, &row);
+        struct real_row row = {.width = width};
+        load_row(found, right, number, rule, &row);
         look_at_row(&row, number, rule, &worst, fault);
     }
     return 0;
@@ -208,8 +207,8 @@ static bool explains(const struct mistake *mistake, const struct reals *found, c
                      const void *context)
 {
     for (int64_t number = 0; number < row_count; number++) {
-        struct real_row row;
-        load_row(found, right, number, width, rule, &row);
+        struct real_row row = {.width = width};
+        load_row(found, right, number, rule, &row);
         make_mistake(mistake, &row, number, context);
         for (int column = 0; column < width; column++)
             if (is_wrong(deviation_of(&row, column, rule, mistake->slack)))
@@ -222,7 +221,7 @@ const struct mistake *reals_mistake(const struct reals *found, const double *rig
                                     int64_t row_count, int width, const struct real_rule *rule,
                                     const struct mistake *list, const void *context)
 {
-    if (width < 1 || width > REAL_WIDTH_MOST)
+    if (width < 1 || width > REAL_WIDTH_MOST || (rule->kind == REAL_DIRECTIONS && width != 3))
         return NULL;
     for (const struct mistake *mistake = list; mistake->cause.slug; mistake++)
         if (explains(mistake, found, right, row_count, width, rule, context))
