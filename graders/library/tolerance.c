@@ -47,15 +47,13 @@ double angle_between(const double a[3], const double b[3])
 {
     double most_a = fmax(fmax(fabs(a[0]), fabs(a[1])), fabs(a[2]));
     double most_b = fmax(fmax(fabs(b[0]), fabs(b[1])), fabs(b[2]));
-    double u[3], v[3], cross[3];
     if (!(most_a > 0 && most_b > 0))
         return NAN;
-    for (int i = 0; i < 3; i++) { /* so that no square overflows or vanishes */
-        u[i] = a[i] / most_a;
-        v[i] = b[i] / most_b;
-    }
-    for (int i = 0; i < 3; i++)
-        cross[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+    /* Divided, so that no square overflows or vanishes. */
+    const double u[3] = {a[0] / most_a, a[1] / most_a, a[2] / most_a};
+    const double v[3] = {b[0] / most_b, b[1] / most_b, b[2] / most_b};
+    const double cross[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                             u[0] * v[1] - u[1] * v[0]};
     double along = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     return atan2(sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]), along);
 }
