@@ -43,14 +43,14 @@ static void write_legend_entry(struct html *page, const char *kind, struct phras
 static void write_turns(struct html *page, const json_t *scene)
 {
     enum { TURNS = 6 };
-    const struct words parts = {"parts", "partes"};
+    const struct phrase parts = {"parts", "partes"};
     const json_t *counts = json_object_get(scene, "mark_counts");
     json_int_t others = 0;
     for (int turn = 0; turn < TURNS; turn++) {
         char kind[16];
         snprintf(kind, sizeof kind, "turn-%d", turn);
         json_int_t count = json_integer_value(json_object_get(counts, kind));
-        struct words name = mark_name(scene, kind, (struct words){NULL, NULL});
+        struct phrase name = mark_name(scene, kind, (struct phrase){NULL, NULL});
         if (name.en && count > 0)
             write_legend_entry(page, kind, name, count);
         else

@@ -30,7 +30,7 @@ static void check_name(const char *name, size_t length, const char *shown, struc
     for (size_t i = 0; i < length; i++)
         is_plain &= name[i] && strchr(letters, name[i]);
     if (length > UPLOAD_NAME_BYTES)
-        refuse(refusal, "file-name",
+        refuse(refusal, &file_name,
                "The file name \"%s\" is too long: it has %zu characters, at most %d are allowed.",
                "El nombre de archivo \"%s\" es demasiado largo: tiene %zu caracteres y se admiten "
                "como mucho %d.",
