@@ -40,12 +40,12 @@ static struct surface_farthest find_farthest(const struct triangle_tree *from,
                                              const struct triangle_tree *to)
 {
     struct surface_farthest farthest = {.distance = 0, .triangle = -1, .nearest = -1};
+    int32_t nearest = -1; /* to the point before, which lies beside */
     for (int32_t i = 0; i < from->count; i++) {
         double corner[3][3];
         corners_of(from->mesh, from->order[i], corner);
         for (int number = 0; number < 3 + SURFACE_SAMPLES; number++) {
             double p[3];
-            int32_t nearest;
             sample(corner, number, p);
             double enough = ENOUGH * farthest.distance;
             double distance = triangle_tree_distance(to, p, enough, &nearest);

@@ -40,7 +40,10 @@ void triangle_tree_release(struct triangle_tree *tree);
 
 /* The distance of p, and the triangle that is nearest (-1 and infinity: the tree is empty, or p is
  * not finite). Stops as soon as a triangle within `enough` is found: then the result is only known
- * to be that near; 0 asks for the exact one. */
+ * to be that near; 0 asks for the exact one.
+ *
+ * triangle   before: the triangle to look at first, as the one that was nearest to a point beside;
+ *            -1: none. It must be in tree->order */
 double triangle_tree_distance(const struct triangle_tree *tree, const double p[3], double enough,
                               int32_t *triangle);
 

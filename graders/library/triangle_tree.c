@@ -283,7 +283,12 @@ double triangle_tree_distance(const struct triangle_tree *tree, const double p[3
                               int32_t *triangle)
 {
     struct quest quest = {p, INFINITY, enough, -1};
-    if (isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]))
+    bool is_finite = isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]);
+    if (is_finite && *triangle >= 0) {
+        quest.triangle = *triangle;
+        quest.best = distance_to(tree, *triangle, p);
+    }
+    if (is_finite && !(quest.best <= enough))
         search(tree, 0, 0, tree->count, &quest);
     *triangle = quest.triangle;
     return quest.best;

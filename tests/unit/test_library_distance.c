@@ -138,7 +138,7 @@ static void the_tree_finds_what_all_pairs_find(void **state)
         assert_int_equal(triangle_tree_build(&tree, &surface, low, high, NULL), 0);
         for (int ask = 0; ask < 20; ask++) {
             double p[3], scale = ask % 5 ? 1 : 1e6;
-            int32_t triangle;
+            int32_t triangle = -1;
             for (int axis = 0; axis < 3; axis++)
                 p[axis] = scale * (2 * random_real(&rng) - 1);
             double right = nearest_slowly(&surface, p);
