@@ -5,6 +5,7 @@
 #include "graders/commands/nearest.h"
 #include "graders/commands/options.h"
 #include "graders/engine/base/files.h"
+#include "graders/engine/run/soundness.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -31,7 +32,7 @@ int load_exercises(struct exercise **exercises, int *count)
 {
     struct error err = {""};
     const char *root = project_root(&err);
-    if (root && exercises_read(root, exercises, count, &err) == 0)
+    if (root && soundness_read(root, exercises, count, &err) == 0)
         return 0;
     report_fault(&err);
     return -1;

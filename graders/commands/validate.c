@@ -178,6 +178,8 @@ static int compare(struct plan *plan, struct subject *subject, struct store *sto
     finding->is_met = result && expectation_is_met(expected, result, why, sizeof why);
     *is_whole &= json_array_size(json_object_get(result, "not_measured")) == 0;
     expectation_failed_classes(result, finding->failed, sizeof finding->failed);
+    if (!finding->is_met && subject->remembers) /* with --again it may have one */
+        stamps_remove(&subject->stamps, &subject->known.submissions[index]);
     if (!finding->is_met)
         printf("not as expected: %s %s %s\n", exercise, upload->student, why);
     else if (plan->verbose)

@@ -4,10 +4,10 @@
 edges=$submissions/edges/edge-table-any
 
 "$meshgrade" list >"$scratch/list"
-ok "list names the seven exercises of problems 4.1 to 4.6" \
-    [ "$(grep -cE '^(memory-voxels-vs-mesh|memory-indexed-grid|memory-strips|euler-closed-mesh|edge-table-any|edge-table-closed|mesh-area) ' "$scratch/list")" -eq 7 ]
+ok "list names every exercise" \
+    [ "$(cut -d' ' -f1 "$scratch/list" | sort)" = "$(ls -d exercises/*/*/ | xargs -n 1 basename | grep -v licences | sort)" ]
 "$meshgrade" list --json >"$scratch/list.json"
-ok "list --json is JSON" python3 -c 'import json,sys; assert len(json.load(open(sys.argv[1]))) >= 7' "$scratch/list.json"
+ok "list --json is JSON" python3 -c 'import json,sys; assert "edge-table-any" in [e["name"] for e in json.load(open(sys.argv[1]))]' "$scratch/list.json"
 
 "$meshgrade" check edge-table-any "$edges/wrong/boundary-lost.c" >"$scratch/wrong"
 code=$?

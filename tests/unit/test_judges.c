@@ -2,6 +2,7 @@
  * reference's answers are accepted, the starter's are not, and answers of any bytes are judged,
  * with a reason, and never accepted when they are garbage. */
 #include "graders/engine/base/exercise.h"
+#include "graders/engine/run/soundness.h"
 #include "graders/judges/table.h"
 #include "tests/unit/answers.h"
 #include "tests/unit/submissions.h"
@@ -42,6 +43,19 @@ static const struct exercise *exercise_of(const struct judge *judge)
     if (!exercise)
         fail_msg("judge %s has no exercise.json", judge->exercise);
     return exercise;
+}
+
+static void each_fits_its_exercise(void **state)
+{
+    (void)state;
+    for (const struct judge *const *judge = judge_table; *judge; judge++) {
+        struct error err = {""};
+        if (soundness_check(exercise_of(*judge), *judge, &err) != 0)
+            fail_msg("%s", err.text);
+    }
+    for (int i = 0; i < exercise_count; i++)
+        if (!judge_find(exercises[i].name))
+            fail_msg("%s has no judge", exercises[i].name);
 }
 
 /* ------------------------------------------------------------------- inputs */
@@ -231,9 +245,11 @@ static void garbage_is_rejected(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(inputs_repeat), cmocka_unit_test(the_reference_is_accepted),
-        cmocka_unit_test(the_starter_fails_the_basic_class), cmocka_unit_test(any_bytes_are_judged),
-        cmocka_unit_test(garbage_is_rejected)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(each_fits_its_exercise),
+                                       cmocka_unit_test(inputs_repeat),
+                                       cmocka_unit_test(the_reference_is_accepted),
+                                       cmocka_unit_test(the_starter_fails_the_basic_class),
+                                       cmocka_unit_test(any_bytes_are_judged),
+                                       cmocka_unit_test(garbage_is_rejected)};
     return cmocka_run_group_tests(tests, read_exercises, free_exercises);
 }

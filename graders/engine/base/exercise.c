@@ -6,12 +6,15 @@
 #include "reference/base/listing.h"
 
 #include <jansson.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { FILE_LIMIT_BYTES = 1 << 20 };
+enum { FILE_LIMIT_BYTES = 1 << 20, CLASS_COLUMNS = 37, TITLE_COLUMNS = 63 /* with its problem */ };
+
+static const double POINTS = 10; /* of every exercise, so that none weighs more than another */
 
 static const struct {
     const char *name;
@@ -87,6 +90,35 @@ static void get_phrase(struct place *place, const json_t *object, const char *ke
     }
     get_text(place, value, "en", phrase->en, sizeof phrase->en);
     get_text(place, value, "es", phrase->es, sizeof phrase->es);
+    if (!phrase->en[0] || !phrase->es[0])
+        complain(place, key, "texts in both languages that are not empty");
+}
+
+static int columns_of(const char *text)
+{
+    int columns = 0;
+    for (; *text; text++)
+        columns += (*text & 0xC0) != 0x80; /* not in the middle of a UTF-8 character */
+    return columns;
+}
+
+/* What is longer a terminal of 80 columns would cut (report/terminal.c). */
+static void get_title(struct place *place, const json_t *object, int most_columns,
+                      struct message *title)
+{
+    char expected[80];
+    get_phrase(place, object, "title", title);
+    snprintf(expected, sizeof expected, "at most %d columns, which is what a terminal shows",
+             most_columns);
+    if (columns_of(title->en) > most_columns || columns_of(title->es) > most_columns)
+        complain(place, "title", expected);
+}
+
+/* Lower case, digits and dashes: what stands in paths, options and `fails:` lines. */
+static bool is_slug(const char *name)
+{
+    return *name && *name != '-' &&
+           name[strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-")] == '\0';
 }
 
 /* Every key must be among `known`, a list of words with a space around each. */
@@ -144,7 +176,12 @@ static void read_classes(struct place *place, const json_t *root, struct exercis
         struct exercise_class *class = &exercise->classes[exercise->class_count++];
         refuse_unknown_keys(place, entry, " name title points ");
         get_text(place, entry, "name", class->name, sizeof class->name);
-        get_phrase(place, entry, "title", &class->title);
+        get_title(place, entry, CLASS_COLUMNS, &class->title);
+        if (!is_slug(class->name))
+            complain(place, "classes", "names of small letters, digits and dashes");
+        for (size_t k = 0; k < i; k++)
+            if (strcmp(exercise->classes[k].name, class->name) == 0)
+                complain(place, "classes", "each name once");
         class->points = get_number(place, entry, "points", 0, 10);
         exercise->max_score += class->points;
     }
@@ -199,7 +236,7 @@ static void read_root(struct place *place, json_t *root, struct exercise *exerci
     get_text(place, root, "name", exercise->name, sizeof exercise->name);
     get_text(place, root, "group", exercise->group, sizeof exercise->group);
     get_text(place, root, "problem", exercise->problem, sizeof exercise->problem);
-    get_phrase(place, root, "title", &exercise->title);
+    get_title(place, root, TITLE_COLUMNS - columns_of(exercise->problem), &exercise->title);
     exercise->order = (int)get_number(place, root, "order", 0, 1e6);
     read_functions(place, root, exercise);
     read_classes(place, root, exercise);
@@ -211,6 +248,30 @@ static void read_root(struct place *place, json_t *root, struct exercise *exerci
         exercise->memory_limit_bytes =
             (int64_t)get_number(place, limits, "memory_megabytes", 1, 4096) << 20;
     }
+}
+
+static void check_points_sum(struct place *place, const struct exercise *exercise)
+{
+    char expected[80];
+    snprintf(expected, sizeof expected, "%g in all classes and checks together, not %g", POINTS,
+             exercise->max_score);
+    if (fabs(exercise->max_score - POINTS) > 1e-9)
+        complain(place, "points", expected);
+}
+
+static void check_folder(struct place *place, const struct exercise *exercise)
+{
+    char folder[PATH_MAX];
+    snprintf(folder, sizeof folder, "%s", exercise->folder);
+    char *name = strrchr(folder, '/');
+    if (strcmp(name ? name + 1 : folder, exercise->name) != 0)
+        complain(place, "name", "the name of the folder");
+    if (!name)
+        return;
+    *name = '\0';
+    char *group = strrchr(folder, '/');
+    if (strcmp(group ? group + 1 : folder, exercise->group) != 0)
+        complain(place, "group", "the name of the folder above");
 }
 
 int exercise_parse(const char *text, size_t count, const char *path, struct exercise *exercise,
@@ -228,9 +289,8 @@ int exercise_parse(const char *text, size_t count, const char *path, struct exer
         return error_set(err, "%s:%d: %s", path, problem.line, problem.text);
     struct place place = {.file = path, .err = err};
     read_root(&place, root, exercise);
-    const char *last = strrchr(exercise->folder, '/');
-    if (!place.failed && strcmp(last ? last + 1 : exercise->folder, exercise->name) != 0)
-        complain(&place, "name", "the name of the folder");
+    check_points_sum(&place, exercise);
+    check_folder(&place, exercise);
     return place.failed ? -1 : 0;
 }
 
@@ -289,6 +349,24 @@ static int add_group(struct shelf *shelf, const char *group, struct error *err)
     return result;
 }
 
+/* Names go through paths and pages alone, so each stands in one group; `order` sorts every list. */
+static int check_shelf(const struct shelf *shelf, struct error *err)
+{
+    for (int i = 0; i < shelf->count; i++)
+        for (int k = 0; k < i; k++) {
+            const struct exercise *one = &shelf->list[k], *other = &shelf->list[i];
+            if (strcmp(one->name, other->name) == 0)
+                return error_set(err,
+                                 "%s/exercise.json: name: group %s has an exercise of that "
+                                 "name; rename one",
+                                 other->folder, one->group);
+            if (one->order == other->order)
+                return error_set(err, "%s/exercise.json: order: %d is that of %s; choose another",
+                                 other->folder, other->order, one->name);
+        }
+    return 0;
+}
+
 int exercises_read(const char *root, struct exercise **exercises, int *count, struct error *err)
 {
     char folder[PATH_MAX], group[PATH_MAX];
@@ -307,6 +385,8 @@ int exercises_read(const char *root, struct exercise **exercises, int *count, st
         error_set(err, "%s: no exercise found (GROUP/NAME/exercise.json)", folder);
         result = -1;
     }
+    if (result == 0)
+        result = check_shelf(&shelf, err);
     if (result == 0) {
         qsort(shelf.list, (size_t)shelf.count, sizeof *shelf.list, by_order);
         *exercises = shelf.list;

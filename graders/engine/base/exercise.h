@@ -10,7 +10,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { EXERCISE_NAME = 64, EXERCISE_FUNCTIONS = 12, EXERCISE_CLASSES = 24 };
+enum {
+    EXERCISE_NAME = 64,
+    EXERCISE_FUNCTIONS = 12,
+    EXERCISE_CLASSES = 24,
+    FAMILIES_MAX = 4 /* of inputs on which growth is counted */
+};
 
 struct exercise_class {
     char name[EXERCISE_NAME];

@@ -4,6 +4,7 @@
 #include "graders/engine/base/files.h"
 #include "graders/engine/run/attempt.h"
 #include "graders/engine/run/count.h"
+#include "graders/engine/run/soundness.h"
 #include "graders/judges/table.h"
 #include "reference/base/random.h"
 
@@ -166,7 +167,8 @@ static void choose_sizes(struct yardstick *yardstick)
     const struct exercise *exercise = yardstick->exercise;
     if (!exercise->checked[CHECK_GROWTH])
         return;
-    yardstick->family_count = judge_family_count(yardstick->judge);
+    yardstick->family_count = judge_family_count(yardstick->judge); /* soundness_check: no more than
+                                                                        are measured */
     yardstick->size_count = exercise->growth_doublings + 1;
     for (int i = 0; i < yardstick->size_count + EXTRA_DOUBLINGS; i++)
         yardstick->sizes[i] = exercise->growth_first_size << i;
@@ -224,11 +226,8 @@ int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise,
     yardstick->exercise = exercise;
     yardstick->quick = quick;
     const struct judge *judge = judge_find(exercise->name);
-    if (!judge)
-        return error_set(err, "exercise %s: this program has no judge for it", exercise->name);
-    if (judge_family_count(judge) > FAMILIES_MAX)
-        return error_set(err, "judge %s: %d families of sizes, at most %d can be measured",
-                         exercise->name, judge_family_count(judge), FAMILIES_MAX);
+    if (soundness_check(exercise, judge, err) != 0)
+        return -1;
     const char *root = project_root(err);
     if (!root || seed_judge(yardstick, judge, class_seed, err) != 0 ||
         allocate(yardstick, err) != 0 || build_reference(yardstick, err) != 0)

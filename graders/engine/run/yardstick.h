@@ -29,7 +29,7 @@ struct cost {
     int64_t stack_bytes;
 };
 
-enum { SIZES_MAX = 16, FAMILIES_MAX = 4 };
+enum { SIZES_MAX = 16 };
 
 /* Which probes this machine has. A probe that lacks is reported, and no mark rests on it. */
 struct probes {
