@@ -414,7 +414,7 @@ static void add_turn_entry(const scene &from, std::vector<legend_entry> &entries
     std::vector<colour> paints;
     int64_t count = 0;
     for (int k = turn_0; k <= turn_last; k++)
-        if (from.mark_counts[k] > 0 && from.mark_words[k].empty()) {
+        if ((from.mark_counts[k] > 0 || from.has_groups) && from.mark_words[k].empty()) {
             count += from.mark_counts[k];
             paints.push_back(palette::marks[k]);
         }

@@ -6,7 +6,9 @@
 #include "graders/render/image.hpp"
 #include "graders/render/vec.hpp"
 
+#include <cmath>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -60,6 +62,21 @@ struct scene_mesh {
     std::vector<triangle> triangles;
 };
 
+/* Numbers that colour a surface. */
+struct value_scale {
+    std::vector<float> numbers; /* one a vertex or triangle, NaN: none; empty: no values */
+    bool of_vertices = true;
+    double low = 0, high = 0;
+    double worst = std::nan(""); /* NaN: none is named */
+    std::string unit;
+};
+
+struct vector_set {
+    mark_kind kind;
+    std::vector<vec3> vectors; /* one a vertex; zero, too, for what is not finite */
+    std::vector<bool> finite;
+};
+
 struct curve {
     std::string name;
     std::string guide;        /* not empty: a line for the eye, "n lg n", not a measure */
@@ -79,6 +96,11 @@ struct scene {
     std::vector<edge> outlines; /* of polygons; none: the mesh is one of triangles */
     std::vector<mark> marks;    /* every index is within the mesh */
     std::vector<label> labels;  /* likewise */
+    value_scale values;
+    std::vector<uint8_t> groups; /* the turn colour of each triangle, more than 5: none */
+    bool has_groups = false;     /* parts of the whole mesh are in turn colours */
+    std::vector<vector_set> vectors;
+    std::shared_ptr<scene> answer; /* what a mesh has, of the answer's; shown beside */
     int64_t mark_counts[mark_kind_count] = {};
     std::string mark_words[mark_kind_count]; /* empty: the usual word */
     std::string turns_word;

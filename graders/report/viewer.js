@@ -13,11 +13,15 @@
     boundary: 0xf0c400, flipped: 0xa83e16, wrong: 0x3c2878, right: 0x008060,
     "turn-0": 0x426eaa, "turn-1": 0x927030, "turn-2": 0x68b2d6, "turn-3": 0x707a8a, "turn-4": 0x78843e, "turn-5": 0xb47c98
   };
-  const few_vertices = 36, path_heads = 14;
+  const few_vertices = 36, path_heads = 14, most_vectors = 800;
+  const scale_colours = [0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725];
+  const no_value_colour = 0xb0b4ba;
   const strip_colours = [0x56a0d3, 0xf0ba5c, 0x5cb896, 0xd68cb2, 0xece280, 0x9e96ce];
   const front_colour = 0xdfe5ee, back_colour = 0xf2c28f, voxel_colour = 0x8fb3d3, backdrop = 0xeef2f6;
   const words = {
     failed: { en: "The 3D view could not be shown here (no WebGL?).", es: "La vista 3D no se pudo mostrar aquí (¿sin WebGL?)." },
+    input: { en: "input", es: "entrada" },
+    answer: { en: "answer", es: "respuesta" },
     label: {
       en: "3D view: drag or use the arrow keys to turn, + and - to zoom",
       es: "Vista 3D: arrastra o usa las flechas para girar, + y - para acercar"
@@ -69,9 +73,12 @@
      triangles at once. */
   function add_surface(group, geometry, colour, colour_behind) {
     geometry.computeVertexNormals();
+    const has_colours = Boolean(geometry.attributes.color);
+    if (has_colours) colour = colour_behind = 0xffffff;
     for (const [side, side_colour] of [[THREE.FrontSide, colour], [THREE.BackSide, colour_behind]]) {
       const material = new THREE.MeshPhongMaterial({
-        color: side_colour, side: side, specular: 0x222222, shininess: 22,
+        color: side_colour, side: side, specular: has_colours ? 0 : 0x222222, shininess: 22,
+        vertexColors: has_colours ? THREE.VertexColors : THREE.NoColors,
         polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1
       });
       group.add(new THREE.Mesh(geometry, material));
@@ -121,11 +128,11 @@
     group.add(ghost);
   }
 
-  function add_edge_marks(group, points, colour, lines, has_ghost) {
+  function add_edge_marks(group, points, colour, lines, has_ghost, width) {
     const geometry = new THREE.LineSegmentsGeometry();
     geometry.setPositions(points);
     add_twice(group, function (opacity, depth_test) {
-      const material = new THREE.LineMaterial({ color: colour, linewidth: 5, transparent: true, opacity: opacity, depthTest: depth_test });
+      const material = new THREE.LineMaterial({ color: colour, linewidth: width || 5, transparent: true, opacity: opacity, depthTest: depth_test });
       lines.push(material);
       return new THREE.LineSegments2(geometry, material);
     }, has_ghost);
@@ -214,15 +221,16 @@
     }
   }
 
-  function add_marks(group, marks, positions, lines) {
+  function add_marks(group, marks, positions, lines, has_colours) {
     const batches = {};
     const count = positions.length / 3;
     const box = new THREE.Box3().setFromArray(positions);
     const size = 0.03 * box.getSize(new THREE.Vector3()).length(); /* of a head */
-    for (const mark of marks || []) {
+    for (let mark of marks || []) {
       if (!(mark.kind in colours) || mark.vertex.some((v) => !(v >= 0 && v < count))) continue;
       const solid = mark.kind.startsWith("turn") && (mark.element === "face" || mark.element === "triangle" || mark.element === "half-edge");
       const key = mark.kind + (solid ? " solid" : "");
+      if (mark.kind === "wrong" && has_colours && mark.vertex.length >= 3 && mark.element !== "half-edge") mark = { kind: mark.kind, element: "loop", vertex: mark.vertex };
       const batch = batches[key] = batches[key] || { vertices: [], segments: [], heads: [], triangles: [] };
       const corners = (list) => [].concat(...list.map((v) => point(positions, v)));
       if (mark.element === "vertex" || (mark.element === "edge" && mark.vertex[0] === mark.vertex[1]))
@@ -332,16 +340,97 @@
     return points;
   }
 
+  function scale_colour(value, scale) {
+    if (!isFinite(value)) return new THREE.Color(no_value_colour);
+    const share = scale.high > scale.low ? (value - scale.low) / (scale.high - scale.low) : 0;
+    const at = Math.min(1, Math.max(0, share)) * (scale_colours.length - 1), low = Math.min(Math.floor(at), scale_colours.length - 2);
+    return new THREE.Color(scale_colours[low]).lerp(new THREE.Color(scale_colours[low + 1]), at - low);
+  }
+
+  /* The colour of corner i of the triangles, by the scene's values or parts; null: it has none. */
+  function corner_colours(scene, triangles) {
+    if (scene.values) {
+      const numbers = floats_of(scene.values.numbers), of_vertices = scene.values.of === "vertex";
+      return (i) => scale_colour(numbers[of_vertices ? triangles[i] : Math.floor(i / 3)], scene.values);
+    }
+    if (!scene.groups) return null;
+    const groups = bytes_of(scene.groups), plain = new THREE.Color(front_colour);
+    return function (i) {
+      const turn = colours["turn-" + groups[Math.floor(i / 3)]];
+      return turn === undefined ? plain : plain.clone().lerp(new THREE.Color(turn), 0.72);
+    };
+  }
+
+  function add_corner_colours(geometry, colour_of) {
+    const count = geometry.attributes.position.count, rgb = new Float32Array(3 * count);
+    for (let i = 0; i < count; i++) colour_of(i).toArray(rgb, 3 * i);
+    geometry.setAttribute("color", new THREE.BufferAttribute(rgb, 3));
+  }
+
+  /* Arrows at the vertices, at most so many, all of one scale. */
+  function add_vectors(group, scene, positions, lines) {
+    const size = 0.02 * new THREE.Box3().setFromArray(positions).getSize(new THREE.Vector3()).length();
+    const count = positions.length / 3, step = Math.ceil(count / most_vectors);
+    const sets = scene.vectors.map((set) => floats_of(set.xyz));
+    const named = scene.marks && scene.marks.length ? scene.marks[0].vertex : [];
+    const shown = [];
+    for (let v = 0; v < count; v++) if ((Math.imul(v, 0x9e3779b1) >>> 8) % step === 0 || named.includes(v)) shown.push(v);
+    const is_arrow = (vector) => isFinite(vector.length()) && vector.length() > 0;
+    const lengths = [].concat(...sets.map((xyz) => shown.map((v) => vector_at(xyz, v)).filter(is_arrow).map((vector) => vector.length())));
+    lengths.sort((a, b) => a - b);
+    const usual = lengths[Math.floor(0.9 * lengths.length)] || 1;
+    scene.vectors.forEach(function (set, i) {
+      if (!(set.kind in colours)) return;
+      const segments = [], heads = [], zeros = [];
+      for (const v of shown) {
+        const at = vector_at(positions, v), vector = vector_at(sets[i], v);
+        if (vector.length() === 0) zeros.push(...at.toArray());
+        if (!is_arrow(vector)) continue;
+        vector.setLength(Math.min(5 * size * vector.length() / usual, 10 * size));
+        const tip = at.clone().add(vector), scale = Math.min(1, 0.45 * vector.length() / size);
+        segments.push(...at.toArray(), ...tip.toArray());
+        heads.push({ at: tip.addScaledVector(vector, -scale * size / 2 / vector.length()), way: vector, scale: scale });
+      }
+      if (segments.length) add_edge_marks(group, segments, colours[set.kind], lines, false, 2.5);
+      add_heads(group, heads, colours[set.kind], size, false);
+      if (zeros.length) add_vertex_marks(group, zeros, colours[set.kind]);
+    });
+  }
+
   function add_mesh(group, scene, lines) {
     const positions = floats_of(scene.mesh.positions), triangles = indices_of(scene.mesh.triangles);
     if (positions.length > 0 && triangles.length > 0) {
       const geometry = geometry_of(positions, triangles); /* polygons and few faces are flat */
-      const flat = scene.polygons || triangles.length < 3 * few_vertices;
-      add_surface(group, flat ? geometry.toNonIndexed() : geometry, front_colour, back_colour);
+      const colour_of = corner_colours(scene, triangles);
+      const flat = scene.polygons || colour_of || triangles.length < 3 * few_vertices;
+      const surface = flat ? geometry.toNonIndexed() : geometry;
+      if (colour_of) add_corner_colours(surface, colour_of);
+      add_surface(group, surface, front_colour, back_colour);
       add_edges(group, scene.polygons ? outlines_of(positions, scene.polygons) : edges_of(positions, triangles));
     }
-    add_marks(group, scene.marks, positions, lines);
+    add_marks(group, scene.marks, positions, lines, Boolean(scene.values || scene.groups));
+    if (scene.vectors) add_vectors(group, scene, positions, lines);
     add_numbers(group, scene, positions);
+  }
+
+  /* Two meshes side by side as the camera first sees them, moved apart by their sizes. */
+  function add_pair(group, scene, lines) {
+    const aside = new THREE.Vector3(0.82, 0.57, 0); /* to the right as the camera sees it */
+    const language = document.documentElement.lang === "es" ? "es" : "en";
+    const sides = [[scene, words.input], [scene.answer, words.answer]].map(function ([mesh, name]) {
+      const side = new THREE.Group();
+      add_mesh(side, mesh, lines);
+      const box = new THREE.Box3().setFromArray(floats_of(mesh.mesh.positions));
+      return { group: side, box: box, radius: box.isEmpty() ? 0 : box.getSize(new THREE.Vector3()).length() / 2, name: name[language] };
+    });
+    const apart = Math.max(sides[0].radius, sides[1].radius) * 1.05;
+    sides.forEach(function (side, i) {
+      const centre = side.box.isEmpty() ? new THREE.Vector3() : side.box.getCenter(new THREE.Vector3());
+      const below = new THREE.Vector3(centre.x, centre.y, side.box.isEmpty() ? 0 : side.box.min.z - 0.16 * apart);
+      add_number(side.group, below, side.name, "edge");
+      side.group.position.copy(aside).multiplyScalar(i === 0 ? -apart : apart).sub(centre);
+      group.add(side.group);
+    });
   }
 
   /* Strips in turn colours; a triangle with the wrong winding shows its back, in the mark's colour. */
@@ -404,7 +493,8 @@
       }
       return group;
     }
-    if (scene.mesh) add_mesh(group, scene, lines);
+    if (scene.mesh && scene.answer) add_pair(group, scene, lines);
+    else if (scene.mesh) add_mesh(group, scene, lines);
     return group;
   }
 
@@ -528,6 +618,7 @@
       for (const material of lines) material.resolution.set(width, height);
       group.traverse(function (thing) {
         const home = thing.userData.home;
+        if (home) group.updateMatrixWorld();
         if (home) thing.position.copy(home).addScaledVector(thing.parent.worldToLocal(camera.position.clone()).sub(home), 0.02);
       });
       renderer.render(scene, camera);
