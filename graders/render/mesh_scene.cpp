@@ -80,8 +80,9 @@ view view_of(const subject &one)
 
 std::string count_of_elements(const scene &from)
 {
-    return grouped(int64_t(from.mesh.points.size())) + " vertices, " +
-           grouped(int64_t(from.mesh.triangles.size())) + " triangles" + (from.cut ? " shown" : "");
+    return grouped(int64_t(from.mesh.points.size())) + from.say(" vertices, ", " vértices, ") +
+           grouped(int64_t(from.mesh.triangles.size())) + from.say(" triangles", " triángulos") +
+           (from.cut ? from.say(" shown", " visibles") : "");
 }
 
 /* Both meshes in boxes of one scale, unless one is much bigger. */
@@ -97,8 +98,8 @@ std::vector<subject> subjects_of(const scene &from)
     if (both && std::max(box.scale, other.scale) < much * least)
         box.scale = other.scale = least;
     std::vector<subject> all = {subject_of(from, box), subject_of(*from.answer, other)};
-    all[0].caption = "input";
-    all[1].caption = "answer";
+    all[0].caption = from.say("input", "entrada");
+    all[1].caption = from.say("answer", "respuesta");
     for (subject &one : all)
         one.note = count_of_elements(*one.from);
     return all;
@@ -135,6 +136,7 @@ void arrange(std::vector<subject> &all, const view &look)
 scene legend_scene(const std::vector<subject> &all)
 {
     scene sum;
+    sum.language = all[0].from->language;
     for (const subject &one : all) {
         const scene &from = *one.from;
         sum.marks.insert(sum.marks.end(), from.marks.begin(), from.marks.end());
@@ -172,11 +174,13 @@ std::vector<legend_entry> legend_of(const std::vector<subject> &all, const view 
             behind = behind || one.depths->hides(mark_middle(mesh.points, by));
     }
     if (isolated > 0)
-        entries.push_back(disc_entry("isolated", grouped(int64_t(isolated)), palette::grey_ink));
+        entries.push_back(disc_entry(sum.say("isolated", "aislados"), grouped(int64_t(isolated)),
+                                     palette::grey_ink));
     if (back)
-        entries.push_back(patch_entry("back of a triangle", palette::back_face));
+        entries.push_back(patch_entry(sum.say("back of a triangle", "reverso de un triángulo"),
+                                      palette::back_face));
     if (behind)
-        entries.push_back(patch_entry("pale: behind", {236, 216, 222}));
+        entries.push_back(patch_entry(sum.say("pale: behind", "pálido: detrás"), {236, 216, 222}));
     for (const legend_entry &entry : number_legend(sum))
         entries.push_back(entry);
     return entries;
@@ -184,8 +188,9 @@ std::vector<legend_entry> legend_of(const std::vector<subject> &all, const view 
 
 std::string subtitle_of(const scene &from)
 {
-    const char *note = "only the neighbourhood of the marks is shown";
-    if (!from.cut)
+    const char *note = from.say("only the neighbourhood of the marks is shown",
+                                "solo se muestra el entorno de las marcas");
+    if (!from.cut && !(from.answer && from.answer->cut))
         return from.subtitle;
     return from.subtitle.empty() ? note : from.subtitle + "; " + note;
 }
@@ -269,15 +274,18 @@ const subject &named_subject(const std::vector<subject> &all)
 
 void check_showable(const std::vector<subject> &all)
 {
+    const scene &words = *all[0].from;
     bool empty = true, flat = true;
     for (const subject &one : all) {
         empty = empty && one.is_empty();
         flat = flat && unit_box(one.from->mesh.points).flat_point;
     }
     if (empty)
-        throw not_showable("The mesh is empty: it has no vertices and no triangles.");
+        throw not_showable(words.say("The mesh is empty: it has no vertices and no triangles.",
+                                     "La malla está vacía: no tiene vértices ni triángulos."));
     if (flat)
-        throw not_showable("All vertices of the mesh lie in one place.");
+        throw not_showable(words.say("All vertices of the mesh lie in one place.",
+                                     "Todos los vértices de la malla están en un mismo punto."));
 }
 } // namespace
 

@@ -282,6 +282,19 @@ bool is_chartable(double number)
     return number >= least && number <= most;
 }
 
+/* The curves of every growth chart have names in both languages; others stand as they are. */
+std::string curve_word(const scene &from, const std::string &name)
+{
+    static const char *const known[][2] = {{"submission", "entrega"},
+                                           {"reference", "referencia"},
+                                           {"right", "correcto"},
+                                           {"allowed", "permitido"}};
+    for (const auto &pair : known)
+        if (name == pair[0])
+            return from.say(pair[0], pair[1]);
+    return name;
+}
+
 /* Points without a place on logarithmic axes are left out. */
 void read_curves(const json_t *json, scene &out)
 {
@@ -291,6 +304,11 @@ void read_curves(const json_t *json, scene &out)
         curve to;
         to.name = text_at(from, "name");
         to.guide = text_at(from, "guide");
+        to.label = curve_word(out, to.name);
+        if (!to.guide.empty())
+            to.label =
+                out.say("", "crecimiento ") + to.label + out.say(" growth: ", ": ") + to.guide;
+        to.grows = out.say("grows as n", "crece como n");
         to.exponent = json_number_value(json_object_get(from, "exponent"));
         if (!(std::fabs(to.exponent) < exponent_limit))
             to.exponent = 0;
@@ -347,11 +365,13 @@ void read_scene(const std::string &path, const std::string &language, scene &out
     if (!json || !json_is_object(json.get()))
         throw std::runtime_error(path + ": not a scene: " + (json ? "no object" : error.text));
     choose_language(json.get(), language);
+    out.language = language;
     read_notes(json.get(), out);
     out.kind = kind_of(json.get());
     read_mesh_parts(json.get(), out);
     if (const json_t *answer = json_object_get(json.get(), "answer")) {
         out.answer = std::make_shared<scene>();
+        out.answer->language = language;
         read_mesh_parts(answer, *out.answer);
     }
     read_facts(json.get(), out);

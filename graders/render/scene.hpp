@@ -79,6 +79,7 @@ struct vector_set {
 
 struct curve {
     std::string name;
+    std::string label, grows; /* what the legend says of it, and before its exponent */
     std::string guide;        /* not empty: a line for the eye, "n lg n", not a measure */
     std::vector<double> x, y; /* as many, all in [1e-12, 1e18] */
     double exponent = 0;      /* 0: none was fitted */
@@ -91,6 +92,7 @@ struct fact {
 
 struct scene {
     scene_kind kind = scene_kind::none;
+    std::string language; /* of the picture's words, "en" or "es" */
     std::string title, subtitle;
     scene_mesh mesh;
     std::vector<edge> outlines; /* of polygons; none: the mesh is one of triangles */
@@ -118,6 +120,11 @@ struct scene {
     figure shown; /* panels, bars, heat map, diagram; what else stands beside voxels */
     image_notes notes;
 
+    /* The text in the picture's language. */
+    const char *say(const char *en, const char *es) const
+    {
+        return language == "es" ? es : en;
+    }
     bool voxel(int x, int y, int z) const /* false outside */
     {
         return bit_of(voxel_bits, x, y, z);

@@ -191,12 +191,9 @@ std::vector<legend_entry> vector_legend(const scene &from)
 {
     std::vector<legend_entry> entries;
     for (const vector_set &set : from.vectors) {
-        std::string word = from.mark_words[set.kind];
-        if (word.empty())
-            word = set.kind == right_one ? "should be" : mark_names[set.kind];
         colour paint = palette::marks[set.kind];
         entries.push_back(
-            {word, "", [paint](paper &sheet, point2 at, double width) {
+            {mark_word(from, set.kind), "", [paint](paper &sheet, point2 at, double width) {
                  double tip = at.x + width / 2;
                  sheet.line({at.x - width / 2, at.y}, {tip - 6, at.y}, 3, paint);
                  sheet.polygon({{tip - 9, at.y - 5}, {tip, at.y}, {tip - 9, at.y + 5}}, paint);
