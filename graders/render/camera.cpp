@@ -51,8 +51,8 @@ std::vector<place> sample_surface(const std::vector<vec3> &points,
     return samples;
 }
 
-depth_grid::depth_grid(const std::vector<place> &surface, const view &look)
-    : look_(look), nearest_(cells * cells, -1e9)
+depth_grid::depth_grid(const std::vector<place> &surface, const view &look, vec3 aside)
+    : look_(look), aside_(aside), nearest_(cells * cells, -1e9)
 {
     for (const place &sample : surface) {
         double &nearest = nearest_[cell(sample.point)];
@@ -63,6 +63,7 @@ depth_grid::depth_grid(const std::vector<place> &surface, const view &look)
 bool depth_grid::hides(vec3 point) const
 {
     const double near_enough = .05;
+    point = point - aside_;
     return nearest_[cell(point)] > dot(point, look_.toward) + near_enough;
 }
 

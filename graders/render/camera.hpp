@@ -33,7 +33,8 @@ std::vector<place> sample_surface(const std::vector<vec3> &points,
 class depth_grid
 {
   public:
-    depth_grid(const std::vector<place> &surface, const view &look);
+    /* Asked about points that were moved by `aside` from where the surface was given. */
+    depth_grid(const std::vector<place> &surface, const view &look, vec3 aside = {});
     bool hides(vec3 point) const; /* roughly */
 
   private:
@@ -41,6 +42,7 @@ class depth_grid
     size_t cell(vec3 point) const;
 
     view look_;
+    vec3 aside_;
     std::vector<double> nearest_;
 };
 

@@ -140,8 +140,7 @@ double draw_entry(paper &sheet, point2 at, const curve &one, size_t look, bool m
 {
     const font raised = {10, weight::regular, palette::grey_ink};
     const font plain = {14, weight::regular, palette::grey_ink};
-    std::string words = is_guide(one) ? one.name + " growth: " + one.guide : one.name;
-    std::string name = sheet.fitting(words, name_font, 260);
+    std::string name = sheet.fitting(one.label, name_font, 260);
     double width = 46 + sheet.text_width(name, name_font);
     if (!measure_only) {
         draw_sample(sheet, {at.x, at.y - 5}, one, look);
@@ -149,14 +148,13 @@ double draw_entry(paper &sheet, point2 at, const curve &one, size_t look, bool m
     }
     if (one.exponent == 0)
         return width;
-    std::string base = "grows as n";
     width += 14;
     if (!measure_only) {
-        sheet.text({at.x + width, at.y}, base, plain);
-        sheet.text({at.x + width + sheet.text_width(base, plain) + 1.5, at.y - 6},
+        sheet.text({at.x + width, at.y}, one.grows, plain);
+        sheet.text({at.x + width + sheet.text_width(one.grows, plain) + 1.5, at.y - 6},
                    exponent_text(one.exponent), raised);
     }
-    return width + sheet.text_width(base, plain) + 2 +
+    return width + sheet.text_width(one.grows, plain) + 2 +
            sheet.text_width(exponent_text(one.exponent), raised);
 }
 
@@ -192,8 +190,9 @@ point2 emptiest_corner(const plot_area &area, const std::vector<curve> &curves, 
     return best;
 }
 
-void draw_legend_card(paper &sheet, const plot_area &area, const std::vector<curve> &curves)
+void draw_legend_card(paper &sheet, const plot_area &area, const scene &from)
 {
+    const std::vector<curve> &curves = from.curves;
     const double row = 25, pad = 14;
     double width = 0;
     bool fitted = false;
@@ -212,7 +211,8 @@ void draw_legend_card(paper &sheet, const plot_area &area, const std::vector<cur
     if (fitted) {
         sheet.dashed({corner.x + pad, y - 8}, {corner.x + pad + 34, y - 8}, 1.6, 5, 6,
                      palette::pale_ink);
-        sheet.text({corner.x + pad + 46, y - 3.5}, "fitted growth",
+        sheet.text({corner.x + pad + 46, y - 3.5},
+                   from.say("fitted growth", "crecimiento ajustado"),
                    {12, weight::regular, palette::grey_ink});
     }
 }
@@ -257,7 +257,8 @@ image draw_chart(const scene &from, picture_size size)
         ys.insert(ys.end(), one.y.begin(), one.y.end());
     }
     if (xs.empty())
-        throw not_showable("There is nothing to chart: no point was measured.");
+        throw not_showable(from.say("There is nothing to chart: no point was measured.",
+                                    "Nada que dibujar: no se midió ningún punto."));
     canvas target(size.width, size.height, backdrop::plain);
     target.on_paper([&](paper &sheet) {
         plot_area area = {108,
@@ -271,7 +272,7 @@ image draw_chart(const scene &from, picture_size size)
         for (size_t i = from.curves.size(); i-- > 0;)
             draw_curve(sheet, area, from.curves[i], look_of(from.curves, i));
         draw_ratio(sheet, area, from.curves);
-        draw_legend_card(sheet, area, from.curves);
+        draw_legend_card(sheet, area, from);
     });
     return target.draw();
 }

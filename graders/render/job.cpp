@@ -70,7 +70,10 @@ void make_picture(const picture_job &one)
         read_scene(one.scene_path, one.language, shown);
         picture = draw_scene(shown, one.size);
     } catch (const not_showable &why) {
-        picture = draw_tile(shown, std::string("Cannot be shown: ") + why.what(), one.size);
+        picture = draw_tile(shown,
+                            shown.say("Cannot be shown: ", "No se puede mostrar: ") +
+                                std::string(why.what()),
+                            one.size);
     }
     write_image(picture, shown.notes, one.out_path);
 }

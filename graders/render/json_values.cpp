@@ -43,8 +43,6 @@ void choose_language(json_t *json, const std::string &language)
 std::string text_at(const json_t *json, const char *key)
 {
     const json_t *value = json_object_get(json, key);
-    if (json_is_object(value))
-        value = json_object_get(value, "en");
     if (!json_is_string(value))
         return "";
     return clean_text({json_string_value(value), json_string_length(value)}, text_bytes_limit);

@@ -2,6 +2,7 @@
 #include "graders/render/magnifier.hpp"
 #include "graders/render/marks.hpp"
 #include "graders/render/surfaces.hpp"
+#include "graders/render/values.hpp"
 
 #include <vtkCamera.h>
 
@@ -65,10 +66,11 @@ static void add_things(vtkRenderer *renderer, const close_up &inset, const scene
                        const shape &mesh, double scale)
 {
     pen how = {.022 * inset.half_width, 2 * inset.half_width / close_up_side};
-    renderer->AddActor(surface_actor(mesh.points, mesh.triangles, palette::surface));
+    renderer->AddActor(scene_surface(from, mesh));
     renderer->AddActor(
         wire_actor(mesh.points, mesh.edges, .9 * scale, palette::wire.with_alpha(.42)));
-    add_marks(renderer, mesh.points, from.marks, how, finish::lit);
+    add_marks(renderer, mesh.points, drawn_marks(from), how, finish::lit);
+    add_vectors(renderer, from, mesh, how, finish::lit);
 }
 
 /* The numbers of the shown element's vertices, and the scene's labels that fall into the frame. */

@@ -390,7 +390,8 @@ static std::string mark_count(const scene &from, mark_kind kind)
     int64_t all = from.mark_counts[kind];
     if (drawn >= all)
         return grouped(all);
-    return (drawn == 0 ? "none" : grouped(drawn)) + " of " + grouped(all) + " drawn";
+    return from.say("", "se ven ") + (drawn == 0 ? from.say("none", "0") : grouped(drawn)) +
+           from.say(" of ", " de ") + grouped(all) + from.say(" drawn", "");
 }
 
 legend_entry patch_entry(const std::string &name, colour paint)
@@ -408,19 +409,30 @@ legend_entry disc_entry(const std::string &name, const std::string &count, colou
     return {name, count, [paint](paper &sheet, point2 at, double) { sheet.disc(at, 5.2, paint); }};
 }
 
+std::string mark_word(const scene &from, mark_kind kind)
+{
+    static const char *const words[][2] = {{"missing", "falta"},    {"duplicate", "duplicada"},
+                                           {"extra", "sobra"},      {"degenerate", "degenerada"},
+                                           {"boundary", "borde"},   {"flipped", "invertida"},
+                                           {"wrong", "incorrecta"}, {"should be", "debería ser"}};
+    if (!from.mark_words[kind].empty())
+        return from.mark_words[kind];
+    return kind >= turn_0 ? from.say("part", "parte") : from.say(words[kind][0], words[kind][1]);
+}
+
 /* One entry for all turn colours that have no name of their own, with a disc of each. */
 static void add_turn_entry(const scene &from, std::vector<legend_entry> &entries)
 {
     std::vector<colour> paints;
     int64_t count = 0;
     for (int k = turn_0; k <= turn_last; k++)
-        if (from.mark_counts[k] > 0 && from.mark_words[k].empty()) {
+        if ((from.mark_counts[k] > 0 || from.has_groups) && from.mark_words[k].empty()) {
             count += from.mark_counts[k];
             paints.push_back(palette::marks[k]);
         }
     if (paints.empty())
         return;
-    std::string name = from.turns_word.empty() ? "parts" : from.turns_word;
+    std::string name = from.turns_word.empty() ? from.say("parts", "partes") : from.turns_word;
     entries.push_back(
         {name, grouped(from.turn_count > 0 ? from.turn_count : count),
          [paints](paper &sheet, point2 at, double width) {
@@ -434,7 +446,7 @@ std::vector<legend_entry> mark_legend(const scene &from)
 {
     std::vector<legend_entry> entries;
     if (from.ok_count > 0)
-        entries.push_back({"ok", grouped(from.ok_count),
+        entries.push_back({from.say("ok", "bien"), grouped(from.ok_count),
                            [](paper &sheet, point2 at, double width) {
                                sheet.line({at.x - width / 2, at.y}, {at.x + width / 2, at.y}, 1.6,
                                           palette::grey_ink);
@@ -445,10 +457,7 @@ std::vector<legend_entry> mark_legend(const scene &from)
         element what = usual_element(from, kind);
         bool has_word = !from.mark_words[k].empty();
         if (from.mark_counts[k] > 0 && (has_word || kind < turn_0))
-            entries.push_back({has_word            ? from.mark_words[k]
-                               : kind == right_one ? "should be"
-                                                   : mark_names[k],
-                               mark_count(from, kind),
+            entries.push_back({mark_word(from, kind), mark_count(from, kind),
                                [kind, what](paper &sheet, point2 at, double width) {
                                    draw_swatch(sheet, at, width, kind, what);
                                }});

@@ -32,6 +32,9 @@ std::vector<triangle> without_marked(const std::vector<triangle> &triangles,
 /* Where the marks are, for choosing a view: the first counts as much as a third of all others. */
 std::vector<place> places_of_marks(const shape &mesh, const std::vector<mark> &marks);
 
+/* What the legend calls a kind. */
+std::string mark_word(const scene &from, mark_kind kind);
+
 /* Legend entries of every kind that was counted or marked, then of what is right. */
 std::vector<legend_entry> mark_legend(const scene &from);
 

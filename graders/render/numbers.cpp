@@ -106,18 +106,18 @@ std::vector<legend_entry> number_legend(const scene &from)
     std::vector<legend_entry> entries;
     if (!edges && !faces)
         return entries;
-    entries.push_back({"vertex number", "",
+    entries.push_back({from.say("vertex number", "número de vértice"), "",
                        [](paper &sheet, point2 at, double) {
                            draw_label(sheet, {at.x, at.y + 13}, {0, 0}, "0", false);
                        },
                        true});
     if (edges)
         entries.push_back(
-            {"edge number", "",
+            {from.say("edge number", "número de arista"), "",
              [](paper &sheet, point2 at, double) { draw_sign(sheet, at, "0", sign::box, false); },
              true});
     if (faces)
-        entries.push_back({"face number", "",
+        entries.push_back({from.say("face number", "número de cara"), "",
                            [](paper &sheet, point2 at, double) {
                                draw_sign(sheet, at, "0", sign::circle, false);
                            },

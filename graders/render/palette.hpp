@@ -59,6 +59,13 @@ inline constexpr int look_count = 8;
 /* Heat maps, from little to much; its lightness falls evenly. */
 inline constexpr colour heat[] = {{255, 253, 226}, {217, 236, 190}, {147, 208, 188}, {72, 168, 191},
                                   {40, 112, 170},  {32, 64, 124},   {18, 28, 70}};
+
+/* Values on a surface: viridis, whose lightness rises evenly and which the colour-blind read too.
+ */
+inline constexpr colour scale[] = {{68, 1, 84},    {71, 45, 123},  {59, 82, 139},
+                                   {44, 114, 142}, {33, 145, 140}, {40, 174, 128},
+                                   {94, 201, 98},  {173, 220, 48}, {253, 231, 37}};
+inline constexpr colour no_value = {176, 180, 186};
 } // namespace palette
 
 #endif

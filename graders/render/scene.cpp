@@ -137,6 +137,15 @@ bool read_element(const json_t *json, const scene &from, mark &out)
     return true;
 }
 
+/* mark_kind_count when there is none. */
+mark_kind kind_named(const std::string &name)
+{
+    int k = 0;
+    while (k < mark_kind_count && name != mark_names[k])
+        k++;
+    return mark_kind(k);
+}
+
 void read_labels(const json_t *json, scene &out)
 {
     const json_t *labels = json_object_get(json, "labels");
@@ -154,12 +163,8 @@ void read_marks(const json_t *json, scene &out)
     const json_t *marks = json_object_get(json, "marks");
     for (size_t i = 0; i < json_array_size(marks) && i < size_t(mark_limit); i++) {
         mark one;
-        std::string kind = text_at(json_array_get(marks, i), "kind");
-        int k = 0;
-        while (k < mark_kind_count && kind != mark_names[k])
-            k++;
-        one.kind = mark_kind(k);
-        if (k < mark_kind_count && read_element(json_array_get(marks, i), out, one))
+        one.kind = kind_named(text_at(json_array_get(marks, i), "kind"));
+        if (one.kind < mark_kind_count && read_element(json_array_get(marks, i), out, one))
             out.marks.push_back(one);
     }
     const json_t *counts = json_object_get(json, "mark_counts");
@@ -173,6 +178,64 @@ void read_marks(const json_t *json, scene &out)
     out.turn_count = std::max<int64_t>(0, json_integer_value(json_object_get(json, "turn_count")));
     const json_t *ok = json_object_get(json, "ok_count");
     out.ok_count = json_is_integer(ok) ? json_integer_value(ok) : -1;
+}
+
+void read_values(const json_t *json, scene &out)
+{
+    const json_t *values = json_object_get(json, "values");
+    value_scale &to = out.values;
+    to.of_vertices = text_at(values, "of") == "vertex";
+    to.low = number_at(values, "low");
+    to.high = number_at(values, "high");
+    to.worst = number_at(values, "worst");
+    to.unit = text_at(values, "unit");
+    if (!(to.low <= to.high))
+        throw not_showable("the scale of the values has no ends");
+    size_t count = to.of_vertices ? out.mesh.points.size() : out.mesh.triangles.size();
+    std::vector<uint8_t> bytes = bytes_at(values, "numbers", count * 4);
+    to.numbers.resize(count);
+    std::memcpy(to.numbers.data(), bytes.data(), bytes.size());
+    for (float &number : to.numbers)
+        number = std::isfinite(number) ? number : std::nanf("");
+}
+
+void read_vectors(const json_t *json, scene &out)
+{
+    const size_t most = 4;
+    const json_t *sets = json_object_get(json, "vectors");
+    for (size_t i = 0; i < json_array_size(sets) && i < most; i++) {
+        const json_t *from = json_array_get(sets, i);
+        size_t count = out.mesh.points.size();
+        std::vector<uint8_t> bytes = bytes_at(from, "xyz", count * 12);
+        vector_set to = {kind_named(text_at(from, "kind")), {}, {}};
+        for (size_t v = 0; v < count && to.kind < mark_kind_count; v++) {
+            float xyz[3];
+            std::memcpy(xyz, bytes.data() + 12 * v, 12);
+            bool finite = std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]);
+            to.finite.push_back(finite);
+            to.vectors.push_back(finite ? vec3{xyz[0], xyz[1], xyz[2]} : vec3());
+        }
+        if (to.kind < mark_kind_count)
+            out.vectors.push_back(to);
+    }
+}
+
+/* A mesh and all that lies on it. */
+void read_mesh_parts(const json_t *json, scene &out)
+{
+    out.cut = json_is_true(json_object_get(json, "cut"));
+    if (const json_t *mesh = json_object_get(json, "mesh"))
+        read_mesh(mesh, out.mesh);
+    if (const json_t *polygons = json_object_get(json, "polygons"))
+        read_polygons(polygons, out);
+    read_marks(json, out);
+    read_labels(json, out);
+    if (json_object_get(json, "values"))
+        read_values(json, out);
+    out.has_groups = json_object_get(json, "groups");
+    if (out.has_groups)
+        out.groups = bytes_at(json, "groups", out.mesh.triangles.size());
+    read_vectors(json, out);
 }
 
 void read_strips(const json_t *json, scene &out)
@@ -219,6 +282,19 @@ bool is_chartable(double number)
     return number >= least && number <= most;
 }
 
+/* The curves of every growth chart have names in both languages; others stand as they are. */
+std::string curve_word(const scene &from, const std::string &name)
+{
+    static const char *const known[][2] = {{"submission", "entrega"},
+                                           {"reference", "referencia"},
+                                           {"right", "correcto"},
+                                           {"allowed", "permitido"}};
+    for (const auto &pair : known)
+        if (name == pair[0])
+            return from.say(pair[0], pair[1]);
+    return name;
+}
+
 /* Points without a place on logarithmic axes are left out. */
 void read_curves(const json_t *json, scene &out)
 {
@@ -228,6 +304,11 @@ void read_curves(const json_t *json, scene &out)
         curve to;
         to.name = text_at(from, "name");
         to.guide = text_at(from, "guide");
+        to.label = curve_word(out, to.name);
+        if (!to.guide.empty())
+            to.label =
+                out.say("", "crecimiento ") + to.label + out.say(" growth: ", ": ") + to.guide;
+        to.grows = out.say("grows as n", "crece como n");
         to.exponent = json_number_value(json_object_get(from, "exponent"));
         if (!(std::fabs(to.exponent) < exponent_limit))
             to.exponent = 0;
@@ -284,15 +365,15 @@ void read_scene(const std::string &path, const std::string &language, scene &out
     if (!json || !json_is_object(json.get()))
         throw std::runtime_error(path + ": not a scene: " + (json ? "no object" : error.text));
     choose_language(json.get(), language);
+    out.language = language;
     read_notes(json.get(), out);
     out.kind = kind_of(json.get());
-    out.cut = json_is_true(json_object_get(json.get(), "cut"));
-    if (const json_t *mesh = json_object_get(json.get(), "mesh"))
-        read_mesh(mesh, out.mesh);
-    if (const json_t *polygons = json_object_get(json.get(), "polygons"))
-        read_polygons(polygons, out);
-    read_marks(json.get(), out);
-    read_labels(json.get(), out);
+    read_mesh_parts(json.get(), out);
+    if (const json_t *answer = json_object_get(json.get(), "answer")) {
+        out.answer = std::make_shared<scene>();
+        out.answer->language = language;
+        read_mesh_parts(answer, *out.answer);
+    }
     read_facts(json.get(), out);
     if (out.kind == scene_kind::strips)
         read_strips(json.get(), out);

@@ -6,7 +6,9 @@
 #include "graders/render/image.hpp"
 #include "graders/render/vec.hpp"
 
+#include <cmath>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -60,8 +62,24 @@ struct scene_mesh {
     std::vector<triangle> triangles;
 };
 
+/* Numbers that colour a surface. */
+struct value_scale {
+    std::vector<float> numbers; /* one a vertex or triangle, NaN: none; empty: no values */
+    bool of_vertices = true;
+    double low = 0, high = 0;
+    double worst = std::nan(""); /* NaN: none is named */
+    std::string unit;
+};
+
+struct vector_set {
+    mark_kind kind;
+    std::vector<vec3> vectors; /* one a vertex; zero, too, for what is not finite */
+    std::vector<bool> finite;
+};
+
 struct curve {
     std::string name;
+    std::string label, grows; /* what the legend says of it, and before its exponent */
     std::string guide;        /* not empty: a line for the eye, "n lg n", not a measure */
     std::vector<double> x, y; /* as many, all in [1e-12, 1e18] */
     double exponent = 0;      /* 0: none was fitted */
@@ -74,11 +92,17 @@ struct fact {
 
 struct scene {
     scene_kind kind = scene_kind::none;
+    std::string language; /* of the picture's words, "en" or "es" */
     std::string title, subtitle;
     scene_mesh mesh;
     std::vector<edge> outlines; /* of polygons; none: the mesh is one of triangles */
     std::vector<mark> marks;    /* every index is within the mesh */
     std::vector<label> labels;  /* likewise */
+    value_scale values;
+    std::vector<uint8_t> groups; /* the turn colour of each triangle, more than 5: none */
+    bool has_groups = false;     /* parts of the whole mesh are in turn colours */
+    std::vector<vector_set> vectors;
+    std::shared_ptr<scene> answer; /* what a mesh has, of the answer's; shown beside */
     int64_t mark_counts[mark_kind_count] = {};
     std::string mark_words[mark_kind_count]; /* empty: the usual word */
     std::string turns_word;
@@ -96,6 +120,11 @@ struct scene {
     figure shown; /* panels, bars, heat map, diagram; what else stands beside voxels */
     image_notes notes;
 
+    /* The text in the picture's language. */
+    const char *say(const char *en, const char *es) const
+    {
+        return language == "es" ? es : en;
+    }
     bool voxel(int x, int y, int z) const /* false outside */
     {
         return bit_of(voxel_bits, x, y, z);

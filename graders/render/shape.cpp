@@ -31,7 +31,7 @@ std::vector<vec3> unit_box::apply(const std::vector<vec3> &points) const
 
 /* Triangles with three different vertices, each set of three once: repeats would fight for the same
  * pixels. */
-static std::vector<triangle> visible_triangles(const std::vector<triangle> &all)
+static std::vector<int32_t> visible_triangles(const std::vector<triangle> &all)
 {
     std::vector<triangle> sorted = all;
     for (triangle &t : sorted)
@@ -45,10 +45,10 @@ static std::vector<triangle> visible_triangles(const std::vector<triangle> &all)
         const triangle &t = sorted[order[i]];
         keep[order[i]] = t[0] != t[1] && t[1] != t[2] && (i == 0 || t != sorted[order[i - 1]]);
     }
-    std::vector<triangle> visible;
+    std::vector<int32_t> visible;
     for (size_t t = 0; t < all.size(); t++)
         if (keep[t])
-            visible.push_back(all[t]);
+            visible.push_back(int32_t(t));
     return visible;
 }
 
@@ -88,10 +88,12 @@ static bool collect_edges(const std::vector<triangle> &triangles, std::vector<ed
 
 shape::shape(std::vector<vec3> given, const std::vector<triangle> &all,
              const std::vector<edge> &outlines)
-    : points(std::move(given)), triangles(visible_triangles(all)), normals(points.size())
+    : points(std::move(given)), sources(visible_triangles(all)), normals(points.size())
 {
     std::vector<bool> used(points.size());
     double volume = 0;
+    for (int32_t t : sources)
+        triangles.push_back(all[t]);
     for (const triangle &t : all)
         for (int32_t v : t)
             used[v] = true;

@@ -20,6 +20,7 @@ struct unit_box {
 struct shape {
     std::vector<vec3> points;
     std::vector<triangle> triangles; /* no vertex twice, no triangle twice */
+    std::vector<int32_t> sources;    /* of each triangle its number among those given */
     std::vector<edge> edges;         /* every edge of every triangle once, smaller index first */
     std::vector<int32_t> isolated;   /* vertices that no triangle uses */
     std::vector<vec3> normals;       /* of the vertices; zero where there is none */

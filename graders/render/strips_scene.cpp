@@ -145,21 +145,22 @@ void add_ways(canvas &target, const strip_set &set, double radius, vec3 lift)
 std::vector<legend_entry> legend_of(const scene &from, const strip_set &set, bool shows_backs)
 {
     std::vector<legend_entry> entries;
-    entries.push_back({"strips in turn", grouped(int64_t(from.strips.size())),
-                       [](paper &sheet, point2 at, double width) {
-                           for (int i = 0; i < colour_count; i++)
-                               sheet.rectangle(
-                                   {at.x - width / 2 + width * i / colour_count, at.y - 6},
-                                   width / colour_count, 12, palette::strips[i]);
-                       }});
     entries.push_back(
-        {"triangles", grouped(int64_t(set.triangle_count)), [](paper &sheet, point2 at, double) {
-             sheet.polygon({{at.x - 8, at.y + 6}, {at.x + 8, at.y + 6}, {at.x, at.y - 7}},
-                           palette::strips[0]);
+        {from.say("strips in turn", "tiras por turno"), grouped(int64_t(from.strips.size())),
+         [](paper &sheet, point2 at, double width) {
+             for (int i = 0; i < colour_count; i++)
+                 sheet.rectangle({at.x - width / 2 + width * i / colour_count, at.y - 6},
+                                 width / colour_count, 12, palette::strips[i]);
          }});
+    entries.push_back({from.say("triangles", "triángulos"), grouped(int64_t(set.triangle_count)),
+                       [](paper &sheet, point2 at, double) {
+                           sheet.polygon(
+                               {{at.x - 8, at.y + 6}, {at.x + 8, at.y + 6}, {at.x, at.y - 7}},
+                               palette::strips[0]);
+                       }});
     if (from.strips.size() <= strips_with_ways)
         entries.push_back(
-            {"order", "",
+            {from.say("order", "orden"), "",
              [](paper &sheet, point2 at, double width) {
                  sheet.line({at.x - width / 2 + 3, at.y}, {at.x + 5, at.y}, 2, palette::ink);
                  sheet.disc({at.x - width / 2 + 3, at.y}, 3.6, palette::ink);
@@ -171,7 +172,8 @@ std::vector<legend_entry> legend_of(const scene &from, const strip_set &set, boo
     for (legend_entry &entry : mark_legend(from))
         entries.push_back(entry);
     if (shows_backs)
-        entries.push_back(patch_entry("back of a triangle", palette::back_face));
+        entries.push_back(patch_entry(from.say("back of a triangle", "reverso de un triángulo"),
+                                      palette::back_face));
     return entries;
 }
 } // namespace
@@ -180,7 +182,8 @@ image draw_strips(const scene &from, picture_size size)
 {
     strip_set set = collect(from);
     if (set.points.empty())
-        throw not_showable("There are no strips: the answer has no vertices.");
+        throw not_showable(from.say("There are no strips: the answer has no vertices.",
+                                    "No hay tiras: la respuesta no tiene vértices."));
     canvas target(size.width, size.height, backdrop::gradient);
     std::vector<triangle> all = all_triangles(set);
     shape named(set.marked, from.mesh.triangles);

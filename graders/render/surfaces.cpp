@@ -2,7 +2,6 @@
 #include "graders/render/surfaces.hpp"
 
 #include <vtkFloatArray.h>
-#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
@@ -65,6 +64,11 @@ vtkSmartPointer<vtkActor> surface_actor(const std::vector<vec3> &points,
     vtkNew<vtkPolyData> data;
     data->SetPoints(vtk_points(points));
     data->SetPolys(vtk_cells(triangles));
+    return lit_surface(data, paint);
+}
+
+vtkSmartPointer<vtkActor> lit_surface(vtkPolyData *data, colour paint)
+{
     vtkNew<vtkPolyDataNormals> normals;
     normals->SetInputData(data);
     normals->SetFeatureAngle(40);

@@ -9,6 +9,7 @@
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 vtkSmartPointer<vtkPoints> vtk_points(const std::vector<vec3> &points);
@@ -19,6 +20,9 @@ vtkSmartPointer<vtkCellArray> vtk_cells(const std::vector<edge> &edges);
 /* A lit surface, smooth but for creases sharper than 40 degrees; its back faces are peach. */
 vtkSmartPointer<vtkActor> surface_actor(const std::vector<vec3> &points,
                                         const std::vector<triangle> &triangles, colour paint);
+
+/* The same for data that may have its own colours or values. */
+vtkSmartPointer<vtkActor> lit_surface(vtkPolyData *data, colour paint);
 
 /* Unlit lines over a surface; the width is in drawn pixels. */
 vtkSmartPointer<vtkActor> wire_actor(const std::vector<vec3> &points,

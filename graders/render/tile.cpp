@@ -51,7 +51,8 @@ static image draw_kind(const scene &from, picture_size size)
     case scene_kind::none:
         break;
     }
-    throw not_showable("Nothing to show: the answer is a number.");
+    throw not_showable(from.say("Nothing to show: the answer is a number.",
+                                "Nada que mostrar: la respuesta es un número."));
 }
 
 image draw_scene(const scene &from, picture_size size)

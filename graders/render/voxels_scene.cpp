@@ -259,11 +259,14 @@ std::vector<legend_entry> voxel_legend(const scene &from, const voxel_faces &fac
     };
     if (from.wrong_bits.empty())
         return entries;
-    add("rightly full", faces.full_count - frames.extra_count, full_paint);
+    add(from.say("rightly full", "llenas, correctas"), faces.full_count - frames.extra_count,
+        full_paint);
     if (frames.extra_count > 0)
-        add("full, but outside", frames.extra_count, palette::marks[extra]);
+        add(from.say("full, but outside", "llenas, pero fuera"), frames.extra_count,
+            palette::marks[extra]);
     if (frames.missing_count > 0)
-        add("empty, but inside", frames.missing_count, palette::marks[missing]);
+        add(from.say("empty, but inside", "vacías, pero dentro"), frames.missing_count,
+            palette::marks[missing]);
     return entries;
 }
 
@@ -280,14 +283,16 @@ void draw_caption(paper &sheet, point2 at, const std::string &what, const std::s
     sheet.text({at.x, at.y + 21}, bytes, {13, weight::regular, palette::grey_ink}, align::centre);
 }
 
-std::string voxel_bytes(int side)
+std::string voxel_bytes(const scene &from, int side)
 {
-    return "one bit each: " + byte_size(std::ceil(double(side) * side * side / 8));
+    return from.say("one bit each: ", "un bit cada uno: ") +
+           byte_size(std::ceil(double(side) * side * side / 8));
 }
 
-std::string mesh_bytes(const scene_mesh &mesh)
+std::string mesh_bytes(const scene &from, const scene_mesh &mesh)
 {
-    return "12 bytes each: " + byte_size(12.0 * double(mesh.points.size() + mesh.triangles.size()));
+    return from.say("12 bytes each: ", "12 bytes cada uno: ") +
+           byte_size(12.0 * double(mesh.points.size() + mesh.triangles.size()));
 }
 
 void add_voxels(canvas &target, const voxel_faces &faces, double units, int side)
@@ -337,18 +342,23 @@ std::vector<exhibit> exhibits_of(const scene &from, const voxel_faces &voxels, c
     std::vector<exhibit> all;
     bool answer = !from.wrong_bits.empty();
     all.push_back({aside_of(0, count, look),
-                   k + " × " + k + " × " + k + " voxels" + (answer ? " of the answer" : ""),
-                   from.cut ? grouped(voxels.full_count) + " full, a sample of more"
-                            : voxel_bytes(from.voxels_per_side)});
+                   k + " × " + k + " × " + k + from.say(" voxels", " vóxeles") +
+                       (answer ? from.say(" of the answer", " de la respuesta") : ""),
+                   from.cut ? grouped(voxels.full_count) +
+                                  from.say(" full, a sample of more", " llenos, una muestra")
+                            : voxel_bytes(from, from.voxels_per_side)});
     if (boxes)
-        all.push_back({aside_of(1, count, look), "octree",
-                       grouped(int64_t(from.shown.boxes.size())) + " full cubes"});
+        all.push_back(
+            {aside_of(1, count, look), "octree",
+             grouped(int64_t(from.shown.boxes.size())) + from.say(" full cubes", " cubos llenos")});
     if (mesh)
         all.push_back({aside_of(count - 1, count, look),
-                       (answer ? "for comparison: " : "") +
-                           grouped(int64_t(from.mesh.points.size())) + " vertices, " +
-                           grouped(int64_t(from.mesh.triangles.size())) + " triangles",
-                       mesh_bytes(from.mesh)});
+                       (answer ? from.say("for comparison: ", "para comparar: ") : "") +
+                           grouped(int64_t(from.mesh.points.size())) +
+                           from.say(" vertices, ", " vértices, ") +
+                           grouped(int64_t(from.mesh.triangles.size())) +
+                           from.say(" triangles", " triángulos"),
+                       mesh_bytes(from, from.mesh)});
     for (size_t i = 0; i < all.size() && i < from.shown.captions.size(); i++) {
         all[i].name = from.shown.captions[i].first;
         all[i].note = from.shown.captions[i].second;
@@ -378,7 +388,7 @@ image draw_voxels(const scene &from, picture_size size)
     voxel_faces faces = faces_of(from), boxes = faces_of_boxes(from);
     bool beside = !from.mesh.points.empty();
     if (faces.full_count == 0 && boxes.full_count == 0 && !beside && from.wrong_bits.empty())
-        throw not_showable("All voxels are empty.");
+        throw not_showable(from.say("All voxels are empty.", "Todos los vóxeles están vacíos."));
     canvas target(size.width, size.height, backdrop::gradient);
     view look = look_of(from);
     shape mesh(unit_box(from.mesh.points).apply(from.mesh.points), from.mesh.triangles);
@@ -414,8 +424,8 @@ image draw_voxels(const scene &from, picture_size size)
         if (from.named_voxel >= 0) {
             cell at = cell_of(from.named_voxel, side);
             draw_label(sheet, frame.on_paper(frames.named_middle), {0, 1},
-                       "cell (" + std::to_string(at.axis[0]) + ", " + std::to_string(at.axis[1]) +
-                           ", " + std::to_string(at.axis[2]) + ")",
+                       from.say("cell (", "celda (") + std::to_string(at.axis[0]) + ", " +
+                           std::to_string(at.axis[1]) + ", " + std::to_string(at.axis[2]) + ")",
                        false);
         }
         draw_title(sheet, from.title, from.subtitle);

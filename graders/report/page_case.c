@@ -18,11 +18,23 @@ static const struct {
     {"wrong", {"wrong", "incorrecta"}},  {"right", {"should be", "debería ser"}},
 };
 
-/* What the scene calls the marks of a kind, else the usual word. */
+/* What the scene, or that of the answer beside it, calls the marks of a kind, else the usual word.
+ */
 static struct phrase mark_name(const json_t *scene, const char *kind, struct phrase usual)
 {
+    const json_t *answer = json_object_get(scene, "answer");
     struct phrase name = words_in(json_object_get(scene, "mark_names"), kind);
-    return name.en && name.en[0] ? name : usual;
+    struct phrase other = words_in(json_object_get(answer, "mark_names"), kind);
+    return *name.en ? name : *other.en ? other : usual;
+}
+
+/* Marks of a kind on the mesh and on that of the answer. */
+static json_int_t mark_count(const json_t *scene, const char *kind)
+{
+    const json_t *counts = json_object_get(scene, "mark_counts");
+    const json_t *others = json_object_get(json_object_get(scene, "answer"), "mark_counts");
+    return json_integer_value(json_object_get(counts, kind)) +
+           json_integer_value(json_object_get(others, kind));
 }
 
 static void write_legend_entry(struct html *page, const char *kind, struct phrase words,
@@ -43,27 +55,41 @@ static void write_legend_entry(struct html *page, const char *kind, struct phras
 static void write_turns(struct html *page, const json_t *scene)
 {
     enum { TURNS = 6 };
-    const struct phrase parts = {"parts", "partes"};
-    const json_t *counts = json_object_get(scene, "mark_counts");
+    const struct phrase parts = {"parts", "partes"}, none = {"", ""};
     json_int_t others = 0;
     for (int turn = 0; turn < TURNS; turn++) {
         char kind[16];
         snprintf(kind, sizeof kind, "turn-%d", turn);
-        json_int_t count = json_integer_value(json_object_get(counts, kind));
-        struct phrase name = mark_name(scene, kind, (struct phrase){NULL, NULL});
-        if (name.en && count > 0)
+        json_int_t count = mark_count(scene, kind);
+        struct phrase name = mark_name(scene, kind, none);
+        if (*name.en && count > 0)
             write_legend_entry(page, kind, name, count);
         else
             others += count;
     }
     json_int_t all = json_integer_value(json_object_get(scene, "turn_count"));
-    if (others > 0)
+    if (others > 0 || json_object_get(scene, "groups"))
         write_legend_entry(page, "turns", mark_name(scene, "turns", parts), all ? all : others);
+}
+
+/* The scale of values: "0.5 [bar] 1.5 mean curvature". */
+static void write_scale(struct html *page, const json_t *values)
+{
+    if (!values)
+        return;
+    html_open(page, "li");
+    html_format(page, "%.4g ", json_number_value(json_object_get(values, "low")));
+    html_open(page, "span");
+    html_attribute(page, "class", "swatch scale");
+    html_attribute(page, "aria-hidden", "true");
+    html_close(page, "span");
+    html_format(page, " %.4g ", json_number_value(json_object_get(values, "high")));
+    html_both(page, words_in(values, "unit"));
+    html_close(page, "li");
 }
 
 static void write_legend(struct html *page, const json_t *scene)
 {
-    const json_t *counts = json_object_get(scene, "mark_counts");
     const json_t *ok_count = json_object_get(scene, "ok_count");
     html_open(page, "ul");
     html_attribute(page, "class", "legend");
@@ -71,12 +97,14 @@ static void write_legend(struct html *page, const json_t *scene)
         write_legend_entry(page, "ok", (struct phrase){"right", "correcta"},
                            json_integer_value(ok_count));
     for (size_t i = 0; i < sizeof mark_words / sizeof *mark_words; i++) {
-        json_int_t count = json_integer_value(json_object_get(counts, mark_words[i].kind));
+        json_int_t count = mark_count(scene, mark_words[i].kind);
         if (count > 0)
             write_legend_entry(page, mark_words[i].kind,
                                mark_name(scene, mark_words[i].kind, mark_words[i].words), count);
     }
     write_turns(page, scene);
+    write_scale(page, json_object_get(scene, "values"));
+    write_scale(page, json_object_get(json_object_get(scene, "answer"), "values"));
     html_close(page, "ul");
     if (json_is_true(json_object_get(scene, "cut")))
         html_both_leaf(page, "p", "quiet",

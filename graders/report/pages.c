@@ -38,7 +38,7 @@ static int copy_asset(const char *from, const char *out, const char *name, struc
 
 static int copy_own_assets(const char *out, const char *root, struct error *err)
 {
-    static const char *const names[] = {"page.css", "page.js", "viewer.js"};
+    static const char *const names[] = {"page.css", "page.js", "viewer.js", "viewer_scene.js"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char from[DOCUMENT_PATH_BYTES];
         if (document_path(from, err, "%s/graders/report/%s", root, names[i]) != 0 ||

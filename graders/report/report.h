@@ -33,7 +33,7 @@ void report_pictures_reason(const char *out, char *text, size_t capacity);
  * the script that the interactive view loads. The folder is complete in itself and opens from
  * file://.
  *
- * root  the tree that holds graders/report/page.css, page.js and viewer.js
+ * root  the tree that holds graders/report/page.css, page.js, viewer.js and viewer_scene.js.
  * Debian's libjs-three is copied into assets/ when it is installed; without it the pages have
  * pictures and no interactive views. */
 int report_pages(const char *out, const char *root, struct error *err) MUST_CHECK;

@@ -36,4 +36,7 @@ void put_mesh(struct scene *scene, struct mesh *mesh);
 /* The scenes of marked.c: arrows, paths, polygons and numbers. */
 void marked_scenes(struct golden *golden);
 
+/* The scenes of valued.c: values, parts, vectors, the answer beside. */
+void valued_scenes(struct golden *golden);
+
 #endif

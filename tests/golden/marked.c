@@ -182,6 +182,10 @@ void marked_scenes(struct golden *golden)
     loops_of_a_sheet(golden, 8, "loops-coarse");
     loops_of_a_sheet(golden, 96, "loops-fine");
     winged_edge_of_a_prism(golden);
+    json_array_append_new(golden->pictures,
+                          json_pack("{s:s, s:s, s:s, s:i, s:i}", "scene", "polygons.json", "out",
+                                    "polygons-es.png", "language", "es", "width", PICTURE_WIDTH,
+                                    "height", PICTURE_HEIGHT));
     half_edges_of_a_mesh(golden);
     parts_of_a_sphere(golden);
 }

@@ -242,6 +242,7 @@ int main(int argc, char **argv)
     memory_chart(&golden);
     write_lie(&golden);
     marked_scenes(&golden);
+    valued_scenes(&golden);
     json_t *job = json_pack("{s:o, s:[o]}", "pictures", golden.pictures, "sheets", contact_sheet());
     write_json(&golden, "job", job);
     json_decref(job);
