@@ -7,10 +7,12 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 enum { CLASSES = GROWTH_CLASS_COUNT, SIZES = GROWTH_SIZES_MAX };
 
+static const double FIRST_SHARE = 0.02, FIRST_RESIDUAL = 0.05;
 static const double PASS_SHARE = 0.10, FAIL_SHARE = 0.25, LAST_SHARE = 0.15;
 static const double CONSTANT_SHARE_MAX = 0.20, RESIDUAL_MAX = 0.03, EXPONENT_MARGIN = 0.5,
                     LAST_MARGIN = 0.25;
@@ -188,8 +190,12 @@ static int upper_bound(enum growth_class allowed)
     return allowed == GROWTH_N ? GROWTH_N_LG_N : (int)allowed;
 }
 
-static enum growth_decision decide(const struct growth_fit *fit, int bound, bool last)
+static enum growth_decision decide(const struct growth_fit *fit, int bound, enum growth_look look)
 {
+    bool last = look == GROWTH_LAST_LOOK;
+    if (look == GROWTH_FIRST_LOOK)
+        return fit->excess <= FIRST_SHARE && fit->residual <= FIRST_RESIDUAL ? GROWTH_PASS
+                                                                             : GROWTH_UNDECIDED;
     if (fit->excess <= PASS_SHARE || (last && fit->excess < LAST_SHARE))
         return GROWTH_PASS;
     double margin = last ? LAST_MARGIN : EXPONENT_MARGIN;
@@ -228,7 +234,7 @@ static int check(const int64_t *sizes, const int64_t *counts, int count, enum gr
 }
 
 int growth_fit(const int64_t *sizes, const int64_t *counts, int count, enum growth_class allowed,
-               bool last, struct growth_fit *fit, struct error *err)
+               enum growth_look look, struct growth_fit *fit, struct error *err)
 {
     *fit = (struct growth_fit){0};
     if (check(sizes, counts, count, allowed, err))
@@ -258,7 +264,7 @@ int growth_fit(const int64_t *sizes, const int64_t *counts, int count, enum grow
     }
     fit->residual = sqrt(m.residual / m.count);
     fit->exponent = top_slope(&m);
-    fit->decision = decide(fit, bound, last);
+    fit->decision = decide(fit, bound, look);
     fit->class = label(fit, bound);
     return 0;
 }

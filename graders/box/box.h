@@ -73,14 +73,18 @@ struct box_plan {
                                              The file must be executable by anyone */
     const char *readable[BOX_PATH_LIMIT]; /* further absolute paths visible read-only in their own
                                              places, NULL-terminated; none in RUN */
-    const char *writable;                 /* host's folder that becomes /work, or NULL; none in RUN.
-                                             Prepare it with box_give_folder */
-    bool given_files_only;                /* TOOLS: of what lies in `writable` the program may write
-                                             files, but make, remove and rename none outside of its
-                                             folder `tmp` (Landlock; and the owner of `writable`,
-                                             when box_give_folder was called for tmp alone) */
-    const char *working_folder;           /* relative to /work, or absolute; NULL: /work, or / */
-    int passed[BOX_PASSED_LIMIT];         /* descriptors that the program gets as 3, 4, 5, ... */
+    const char *covered;          /* TOOLS: an absolute folder below a visible one that shall
+                                     look empty but for what `readable` names in it; NULL:
+                                     none. Only where there is a private root: without one
+                                     it is seen as it is */
+    const char *writable;         /* host's folder that becomes /work, or NULL; none in RUN.
+                                     Prepare it with box_give_folder */
+    bool given_files_only;        /* TOOLS: of what lies in `writable` the program may write
+                                     files, but make, remove and rename none outside of its
+                                     folder `tmp` (Landlock; and the owner of `writable`,
+                                     when box_give_folder was called for tmp alone) */
+    const char *working_folder;   /* relative to /work, or absolute; NULL: /work, or / */
+    int passed[BOX_PASSED_LIMIT]; /* descriptors that the program gets as 3, 4, 5, ... */
     int passed_count;
     int input_fd, output_fd, error_fd; /* stdio; -1: /dev/null */
     uint64_t memory_bytes;             /* all memory; RUN and BUILD also as address space */

@@ -34,9 +34,9 @@ enum {
 
 /* One part of the private root. */
 struct bound_tree {
-    const char *source; /* on the host */
+    const char *source; /* on the host; NULL: an empty folder that covers what is there */
     const char *target; /* inside, absolute */
-    int fd;             /* detached mount; -1: not taken yet, or a link */
+    int fd;             /* detached mount; -1: not taken yet, a link, or a cover */
     bool is_folder;
     uint64_t attributes;
     char link[256]; /* where source is a symbolic link: its text */

@@ -11,6 +11,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+enum { COVER_BYTES = 1 << 20 /* of folders and names; it holds no file's bytes */ };
+
 static void add_tree(struct inside *inside, const char *source, const char *target,
                      uint64_t attributes)
 {
@@ -31,6 +33,8 @@ void root_plan(struct inside *inside)
     for (size_t i = 0; i < sizeof common / sizeof common[0]; i++)
         add_tree(inside, common[i], common[i], fixed);
     add_tree(inside, "/dev/null", "/dev/null", MOUNT_ATTR_RDONLY | MOUNT_ATTR_NOEXEC);
+    if (plan->covered)
+        add_tree(inside, NULL, plan->covered, fixed); /* before what shall be seen in it */
     for (int i = 0; i < BOX_PATH_LIMIT && plan->readable[i]; i++)
         add_tree(inside, plan->readable[i], plan->readable[i], fixed);
     /* A compiler writes there and executes nothing; a tool is given programs there. */
@@ -42,6 +46,8 @@ void root_plan(struct inside *inside)
 static int take_tree(struct bound_tree *tree)
 {
     struct stat about;
+    if (!tree->source)
+        return 0;
     if (lstat(tree->source, &about))
         return errno == ENOENT ? 0 : -1; /* no /lib64 here: nothing to show */
     if (S_ISLNK(about.st_mode)) {
@@ -94,10 +100,20 @@ static void make_parents(const char *path)
         }
 }
 
+static int mount_scratch(const char *target, uint64_t bytes, int mode)
+{
+    char options[80];
+    snprintf(options, sizeof options, "size=%llu,nr_inodes=%d,mode=%o", (unsigned long long)bytes,
+             4096, (unsigned)mode);
+    return mount("tmpfs", target, "tmpfs", MS_NOSUID | MS_NODEV | MS_NOEXEC, options);
+}
+
 /* Puts one tree into the new root, which is the current folder. */
 static int attach_tree(const struct bound_tree *tree)
 {
     const char *target = tree->target + 1; /* relative to the new root */
+    if (!tree->source)
+        return mount_scratch(target, COVER_BYTES, 0755);
     make_parents(target);
     if (tree->link[0])
         return symlink(tree->link, target);
@@ -114,12 +130,11 @@ static int attach_tree(const struct bound_tree *tree)
     return move_mount(tree->fd, "", AT_FDCWD, target, MOVE_MOUNT_F_EMPTY_PATH);
 }
 
-static int mount_scratch(const char *target, uint64_t bytes, int mode)
+/* A cover is written to while it is furnished: its user would else be the program's. */
+static int close_cover(const struct bound_tree *tree)
 {
-    char options[80];
-    snprintf(options, sizeof options, "size=%llu,nr_inodes=%d,mode=%o", (unsigned long long)bytes,
-             4096, (unsigned)mode);
-    return mount("tmpfs", target, "tmpfs", MS_NOSUID | MS_NODEV | MS_NOEXEC, options);
+    unsigned long flags = MS_REMOUNT | MS_BIND | MS_RDONLY | MS_NOSUID | MS_NODEV | MS_NOEXEC;
+    return tree->source ? 0 : mount(NULL, tree->target + 1, NULL, flags, NULL);
 }
 
 /* Fills the new root. Returns NULL, or what failed, with errno. */
@@ -128,6 +143,9 @@ static const char *furnish(struct inside *inside)
     const struct box_plan *plan = inside->plan;
     for (int i = 0; i < inside->tree_count; i++)
         if (attach_tree(&inside->trees[i]))
+            return inside->trees[i].target;
+    for (int i = 0; i < inside->tree_count; i++)
+        if (close_cover(&inside->trees[i]))
             return inside->trees[i].target;
     root_close_trees(inside);
     if (plan->profile == BOX_RUN)

@@ -90,6 +90,8 @@ static int check_plan(const struct box_plan *plan, struct error *err)
     for (int i = 0; i < BOX_PATH_LIMIT && plan->readable[i]; i++)
         if (plan->readable[i][0] != '/' || plan->readable[i][1] == '\0')
             return error_set(err, "box: readable path %s must be absolute", plan->readable[i]);
+    if (plan->covered && (plan->profile != BOX_TOOLS || plan->covered[0] != '/'))
+        return error_set(err, "box: covered folder %s: only of tools, and absolute", plan->covered);
     if (plan->writable && plan->writable[0] != '/')
         return error_set(err, "box: writable path %s must be absolute", plan->writable);
     if (!plan->cpu_seconds || !plan->memory_bytes || !plan->stack_bytes)

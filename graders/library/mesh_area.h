@@ -6,7 +6,7 @@
 
 /* Sums over all triangles. */
 struct area_sums {
-    double exact;         /* summed in extended precision from exact differences of positions */
+    double exact;         /* to 10^-9: see mesh_area_exact */
     double without_first; /* without the first triangle */
     double without_last;
     double squares;        /* half the squared length of the cross products: no square root */
@@ -19,7 +19,7 @@ struct area_sums {
     int32_t first_flat;    /* the first triangle of area 0, -1: none */
 };
 
-/* The exact area only; the error is below 10^-12 of it, needles included. O(F). */
+/* The exact area only; the error is below 10^-9 of it, needles included. O(F). */
 double mesh_area_exact(const struct mesh_view *view);
 
 /* Which way a triangle faces, for pictures. */

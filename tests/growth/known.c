@@ -104,7 +104,7 @@ static int measure(struct yardstick *yardstick, const char *text, struct trial *
     trial->cases = calloc(yardstick->judge->case_count, sizeof *trial->cases);
     if (!trial->cases)
         return error_set(err, "out of memory");
-    if (build_submission(yardstick->exercise, &source, 1, &trial->build, err) != 0)
+    if (build_submission(yardstick->exercise, &source, 1, BUILD_PLAIN, &trial->build, err) != 0)
         return -1;
     if (trial->build.refusal.refused)
         return error_set(err, "does not build: %s %.300s", trial->build.refusal.message.en,
@@ -124,16 +124,19 @@ static int false_fails(const struct trial *trial, enum growth_class allowed, str
             int64_t counts[SIZES_MAX];
             struct growth_fit fit;
             struct error ignored;
-            for (int s = 0; s < yardstick->size_count; s++) {
+            int counted = trial->families[family].size_count;
+            bool all = counted >= yardstick->size_count;
+            counted = all ? yardstick->size_count : counted;
+            for (int s = 0; s < counted; s++) {
                 double normal = sqrt(-2 * log(1 - random_real(random))) *
                                 cos(2 * 3.14159265358979323846 * random_real(random));
                 counts[s] = (int64_t)((double)trial->families[family].costs[s].counts.instructions *
                                       (1 + VARIATION * normal));
             }
-            if (growth_fit(yardstick->sizes, counts, yardstick->size_count, allowed, false, &fit,
-                           &ignored) == 0 &&
+            if (growth_fit(yardstick->sizes, counts, counted, allowed,
+                           all ? GROWTH_FULL_LOOK : GROWTH_FIRST_LOOK, &fit, &ignored) == 0 &&
                 fit.decision == GROWTH_UNDECIDED)
-                (void)!growth_fit(yardstick->sizes, counts, yardstick->size_count, allowed, true,
+                (void)!growth_fit(yardstick->sizes, counts, counted, allowed, GROWTH_LAST_LOOK,
                                   &fit, &ignored);
             failed = failed || fit.decision == GROWTH_FAIL;
         }

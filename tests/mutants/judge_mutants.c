@@ -81,7 +81,8 @@ static int judge_one(struct yardstick *yardstick, const struct source *source,
     for (int check = 0; check < CHECK_COUNT; check++)
         trial.checks[check].verdict = VERDICT_NOT_REACHED;
     *finding = (struct finding){VERDICT_COMPILE_ERROR, "build"};
-    int result = build_submission(yardstick->exercise, source, 1, &trial.build, err);
+    int result = build_submission(yardstick->exercise, source, 1,
+                                  yardstick->quick ? BUILD_PLAIN : BUILD_ALL, &trial.build, err);
     if (result == 0 && !trial.build.refusal.refused) {
         result = run_cases(&trial, finding, err);
         if (result == 0 && finding->verdict == VERDICT_PASSED && !yardstick->quick)

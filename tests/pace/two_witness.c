@@ -147,7 +147,7 @@ static int build_repeated(const struct subject *subject, const struct exercise *
     } else {
         struct source sources[] = {{"once.c", once, strlen(once)},
                                    {"calls.c", calls, strlen(calls)}};
-        result = build_submission(exercise, sources, 2, build, err);
+        result = build_submission(exercise, sources, 2, BUILD_PLAIN, build, err);
     }
     free(reference);
     free(once);
@@ -164,8 +164,9 @@ static int build_subject(const struct subject *subject, const struct exercise *e
     if (file_read(path, 1 << 20, &text, &bytes, err) != 0)
         return -1;
     struct source source = {"answer.c", text, bytes};
-    int result = subject->repeats > 0 ? build_repeated(subject, exercise, root, text, build, err)
-                                      : build_submission(exercise, &source, 1, build, err);
+    int result = subject->repeats > 0
+                     ? build_repeated(subject, exercise, root, text, build, err)
+                     : build_submission(exercise, &source, 1, BUILD_PLAIN, build, err);
     if (result == 0 && build->refusal.refused)
         result = error_set(err, "%s does not build: %s %.300s", path, build->refusal.message.en,
                            build->diagnostics);

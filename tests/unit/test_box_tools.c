@@ -79,6 +79,8 @@ static int run(enum box_profile profile, const char *line, struct box_plan chang
     struct box_plan plan = {.profile = profile,
                             .argv = argv,
                             .program_fd = -1,
+                            .covered = changes.covered,
+                            .readable = {changes.readable[0]},
                             .writable = work,
                             .input_fd = -1,
                             .output_fd = out,
@@ -242,6 +244,29 @@ static int tools_contain(void)
     return wrong;
 }
 
+/* A covered folder holds just what the plan names in it, and cannot be written to; without a
+ * private root it is there as it is. */
+static int cover_hides(void)
+{
+    struct box_plan covered = {.covered = "/usr/include", .readable = {"/usr/include/stdio.h"}};
+    if (open_work())
+        return 99;
+    int wrong = 0;
+    if (run(BOX_TOOLS, "/bin/ls -A /usr/include", covered) || outcome.end != BOX_ENDED_EXIT ||
+        outcome.exit_code != 0 || !strstr(output, "stdio.h"))
+        wrong += complain("what is named in a covered folder");
+    bool rooted = outcome.active >> BOX_PRIVATE_ROOT & 1;
+    if (rooted != (strcmp(output, "stdio.h\n") == 0))
+        wrong += complain("a covered folder");
+    if (run(BOX_TOOLS, "/usr/bin/head -n 1 /usr/include/stdio.h", covered) ||
+        outcome.exit_code != 0 || !output[0])
+        wrong += complain("a file in a covered folder");
+    if (run(BOX_TOOLS, "/usr/bin/touch /usr/include/mine", covered) || outcome.exit_code == 0)
+        wrong += complain("writing to a covered folder");
+    close_work();
+    return wrong;
+}
+
 static int valgrind_works(void)
 {
     const char *memcheck = "/usr/bin/valgrind --vgdb=no --error-exitcode=9 ./controls nothing";
@@ -265,6 +290,7 @@ static int valgrind_works(void)
 static int everything(void)
 {
     int wrong = build_works() + build_reads_nothing() + build_contains() + tools_contain();
+    wrong += cover_hides();
     if (access("/usr/bin/valgrind", X_OK) == 0)
         wrong += valgrind_works();
     return wrong;

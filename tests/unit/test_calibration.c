@@ -97,7 +97,7 @@ static void static_data_is_within_two_percent(void **state)
     snprintf(text, sizeof text, "#define KIND 2\n#define BYTES %d\n%s", 12 * MIB, PROGRAM);
     struct source source = {"known.c", text, strlen(text)};
     assert_int_equal(build_submission(exercise_find(exercises, count, "edge-table-any"), &source, 1,
-                                      &build, &err),
+                                      BUILD_PLAIN, &build, &err),
                      0);
     assert_false(build.refusal.refused);
     assert_near_bytes(build.static_bytes, 12 * MIB);

@@ -4,11 +4,12 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #include <cmocka.h>
 
-enum { SIZES = 9, FIRST_ROUND = 7 };
+enum { SIZES = 9, FIRST_ROUND = 7, FIRST_LOOK = 6 };
 
 /* ---------------------------------------------------------------- counts to fit */
 
@@ -69,7 +70,10 @@ static struct growth_fit fit_of(count_function *work, double k, int64_t first,
     struct growth_fit fit;
     struct error err = {0};
     measure(work, k, first, sizes, counts);
-    assert_int_equal(growth_fit(sizes, counts, count, allowed, count > FIRST_ROUND, &fit, &err), 0);
+    enum growth_look look = count < FIRST_ROUND   ? GROWTH_FIRST_LOOK
+                            : count > FIRST_ROUND ? GROWTH_LAST_LOOK
+                                                  : GROWTH_FULL_LOOK;
+    assert_int_equal(growth_fit(sizes, counts, count, allowed, look, &fit, &err), 0);
     double sum = 0;
     for (int c = 0; c < GROWTH_CLASS_COUNT; c++)
         sum += fit.share[c];
@@ -151,6 +155,56 @@ static void hidden_quadratics_are_found(void **state)
     }
 }
 
+/* Six sizes pass what is clearly right, and leave everything else to the seventh. */
+static void a_first_look_passes_only_what_is_clear(void **state)
+{
+    (void)state;
+    static const struct {
+        count_function *work;
+        double k;
+        enum growth_decision decision;
+    } rows[] = {
+        {linear_work, 12, GROWTH_PASS},
+        {sorting_work, 20, GROWTH_PASS},
+        {n_sqrt_n_work, 1, GROWTH_UNDECIDED},
+        {quadratic_work, 1, GROWTH_UNDECIDED},
+        {hidden_quadratic_work, 16, GROWTH_UNDECIDED},
+        {hidden_quadratic_work, 64, GROWTH_UNDECIDED},
+        {hidden_quadratic_work, 256, GROWTH_UNDECIDED},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct growth_fit fit = fit_of(rows[i].work, rows[i].k, 128, GROWTH_N, FIRST_LOOK);
+        assert_int_equal(fit.decision, rows[i].decision);
+    }
+}
+
+/* What passes at first has so little above the bound that one size more would pass it too. */
+static void a_first_look_agrees_with_the_full_one(void **state)
+{
+    (void)state;
+    for (double k = 16; k <= 1 << 20; k *= 1.1) {
+        struct growth_fit first = fit_of(hidden_quadratic_work, k, 128, GROWTH_N, FIRST_LOOK);
+        struct growth_fit full = fit_of(hidden_quadratic_work, k, 128, GROWTH_N, FIRST_ROUND);
+        if (first.decision == GROWTH_PASS)
+            assert_int_equal(full.decision, GROWTH_PASS);
+    }
+}
+
+/* A table that grows by four out of step with the sizes: nothing is clear. */
+static void a_first_look_does_not_pass_what_jumps(void **state)
+{
+    (void)state;
+    int64_t sizes[SIZES], counts[SIZES];
+    struct growth_fit fit;
+    measure(linear_work, 12, 128, sizes, counts);
+    for (int i = 0; i < SIZES; i += 2)
+        counts[i] = counts[i] * 5 / 4;
+    assert_int_equal(growth_fit(sizes, counts, FIRST_LOOK, GROWTH_N, GROWTH_FIRST_LOOK, &fit, NULL),
+                     0);
+    assert_true(fit.residual > 0.05);
+    assert_int_equal(fit.decision, GROWTH_UNDECIDED);
+}
+
 /* The last round decides at 15 %, and the label never contradicts the decision. */
 static void the_last_round_decides(void **state)
 {
@@ -171,12 +225,14 @@ static void sizes_where_the_constant_dominates_are_dropped(void **state)
     measure(linear_work, 30, 128, sizes, counts);
     for (int i = 0; i < SIZES; i++)
         counts[i] += 5000;
-    assert_int_equal(growth_fit(sizes, counts, FIRST_ROUND, GROWTH_N, false, &fit, NULL), 0);
+    assert_int_equal(growth_fit(sizes, counts, FIRST_ROUND, GROWTH_N, GROWTH_FULL_LOOK, &fit, NULL),
+                     0);
     assert_int_equal(fit.first_used, 3); /* 5040 is a fifth of the count just before 1024 */
     assert_int_equal(fit.decision, GROWTH_PASS);
     assert_int_equal(fit.class, GROWTH_N);
     counts[0] = counts[1] = counts[2] = counts[3] = counts[4] = 1000000;
-    assert_int_equal(growth_fit(sizes, counts, FIRST_ROUND, GROWTH_N, false, &fit, NULL), 0);
+    assert_int_equal(growth_fit(sizes, counts, FIRST_ROUND, GROWTH_N, GROWTH_FULL_LOOK, &fit, NULL),
+                     0);
     assert_true(fit.first_used <= FIRST_ROUND - GROWTH_SIZES_MIN);
 }
 
@@ -205,9 +261,11 @@ static int failures_with_noise(count_function *work, double k, double deviation)
         measure(work, k, 128, sizes, counts);
         for (int i = 0; i < SIZES; i++)
             counts[i] = (int64_t)((double)counts[i] * (1 + deviation * random_normal(&random)));
-        assert_int_equal(growth_fit(sizes, counts, FIRST_ROUND, GROWTH_N, false, &fit, NULL), 0);
+        assert_int_equal(
+            growth_fit(sizes, counts, FIRST_ROUND, GROWTH_N, GROWTH_FULL_LOOK, &fit, NULL), 0);
         if (fit.decision == GROWTH_UNDECIDED)
-            assert_int_equal(growth_fit(sizes, counts, SIZES, GROWTH_N, true, &fit, NULL), 0);
+            assert_int_equal(
+                growth_fit(sizes, counts, SIZES, GROWTH_N, GROWTH_LAST_LOOK, &fit, NULL), 0);
         assert_int_not_equal(fit.decision, GROWTH_UNDECIDED);
         failures += fit.decision == GROWTH_FAIL;
     }
@@ -246,10 +304,11 @@ static void tables_that_double_pass(void **state)
                     work += slots * zeroing;
                 counts[i] = (int64_t)(work + slots * zeroing);
             }
-            assert_int_equal(growth_fit(sizes, counts, FIRST_ROUND, GROWTH_N, false, &fit, NULL),
-                             0);
+            assert_int_equal(
+                growth_fit(sizes, counts, FIRST_ROUND, GROWTH_N, GROWTH_FULL_LOOK, &fit, NULL), 0);
             if (fit.decision == GROWTH_UNDECIDED)
-                assert_int_equal(growth_fit(sizes, counts, SIZES, GROWTH_N, true, &fit, NULL), 0);
+                assert_int_equal(
+                    growth_fit(sizes, counts, SIZES, GROWTH_N, GROWTH_LAST_LOOK, &fit, NULL), 0);
             failures += fit.decision == GROWTH_FAIL;
         }
     assert_int_equal(trials, 2000);
@@ -263,13 +322,14 @@ static void bad_arguments_are_errors(void **state)
     const int64_t equal[] = {128, 256, 256, 1024}, zero[] = {5, 0, 7, 8};
     struct growth_fit fit;
     struct error err = {0};
-    assert_int_equal(growth_fit(sizes, counts, 3, GROWTH_N, false, &fit, &err), -1);
+    assert_int_equal(growth_fit(sizes, counts, 3, GROWTH_N, GROWTH_FULL_LOOK, &fit, &err), -1);
     assert_string_not_equal(err.text, "");
-    assert_int_equal(growth_fit(sizes, counts, 25, GROWTH_N, false, &fit, NULL), -1);
-    assert_int_equal(growth_fit(equal, counts, 4, GROWTH_N, false, &fit, NULL), -1);
-    assert_int_equal(growth_fit(sizes, zero, 4, GROWTH_N, false, &fit, NULL), -1);
-    assert_int_equal(growth_fit(sizes, counts, 4, GROWTH_N_CUBED, false, &fit, NULL), -1);
-    assert_int_equal(growth_fit(sizes, counts, 4, GROWTH_N, false, &fit, NULL), 0);
+    assert_int_equal(growth_fit(sizes, counts, 25, GROWTH_N, GROWTH_FULL_LOOK, &fit, NULL), -1);
+    assert_int_equal(growth_fit(equal, counts, 4, GROWTH_N, GROWTH_FULL_LOOK, &fit, NULL), -1);
+    assert_int_equal(growth_fit(sizes, zero, 4, GROWTH_N, GROWTH_FULL_LOOK, &fit, NULL), -1);
+    assert_int_equal(growth_fit(sizes, counts, 4, GROWTH_N_CUBED, GROWTH_FULL_LOOK, &fit, NULL),
+                     -1);
+    assert_int_equal(growth_fit(sizes, counts, 4, GROWTH_N, GROWTH_FULL_LOOK, &fit, NULL), 0);
 }
 
 int main(void)
@@ -279,6 +339,9 @@ int main(void)
         cmocka_unit_test(each_class_is_found_and_bounded),
         cmocka_unit_test(coefficients_come_back),
         cmocka_unit_test(hidden_quadratics_are_found),
+        cmocka_unit_test(a_first_look_passes_only_what_is_clear),
+        cmocka_unit_test(a_first_look_agrees_with_the_full_one),
+        cmocka_unit_test(a_first_look_does_not_pass_what_jumps),
         cmocka_unit_test(the_last_round_decides),
         cmocka_unit_test(sizes_where_the_constant_dominates_are_dropped),
         cmocka_unit_test(noise_fails_no_right_solution),

@@ -29,6 +29,9 @@ struct source {
 
 enum program_kind { PROGRAM_PLAIN, PROGRAM_SANITIZED, PROGRAM_CHECKED, PROGRAM_COUNT };
 
+/* Which programs are wanted: the plain one costs a third of all three. */
+enum build_extent { BUILD_PLAIN, BUILD_ALL };
+
 enum { BUILD_DIAGNOSTICS = 16384 };
 
 struct build {
@@ -36,7 +39,7 @@ struct build {
                                compiler-memory, compiler-output, and those of policy.h, screen.h */
     char diagnostics[BUILD_DIAGNOSTICS]; /* of the compiler, as it came: untrusted, may be cut */
     char folder[PATH_MAX];               /* work folder of this build; holds the programs */
-    int program_fd[PROGRAM_COUNT];       /* open for reading, -1 when refused */
+    int program_fd[PROGRAM_COUNT];       /* open for reading; -1 when refused or not wanted */
     int64_t static_bytes;                /* .data and .bss of the submission */
     uint32_t active_layers;              /* of the build box */
 };
@@ -48,7 +51,8 @@ void build_clear(struct build *build);
 /* Builds. Returns 0 (look at build->refusal: a submission that does not compile is no error of
  * ours), or -1 and *err: a fault. build_release must follow in both cases. */
 int build_submission(const struct exercise *exercise, const struct source *sources,
-                     int source_count, struct build *build, struct error *err) MUST_CHECK;
+                     int source_count, enum build_extent extent, struct build *build,
+                     struct error *err) MUST_CHECK;
 
 /* Copies a program into `folder` under its kind's name ("plain", "sanitized", "checked"), so that
  * it can be run as /work/<name> in a tools box. */

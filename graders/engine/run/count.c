@@ -32,30 +32,37 @@ bool count_available(char *reason, size_t capacity)
     return found;
 }
 
-/* The sized inputs of one family that are to be measured. */
-struct range {
+/* What is being measured, and of whom. */
+struct measuring {
     struct yardstick *yardstick;
-    int family, first, last;
+    const struct build *build;
+    const struct count_plan *plan;
+    enum series_tool tool;
+    struct series series;
+    struct cost *const *costs;
+    struct count_run *run;
 };
 
-static int start(const struct range *range, const struct build *build, enum series_tool tool,
-                 struct series *series, struct error *err)
+static int start(struct measuring *m, struct error *err)
 {
-    struct series_plan plan = {.yardstick = range->yardstick,
-                               .build = build,
-                               .tool = tool,
-                               .mode = tool == SERIES_PLAIN ? MODE_PAINT_STACK : MODE_PLAIN,
+    const struct count_plan *sizes = m->plan;
+    struct series_plan plan = {.yardstick = m->yardstick,
+                               .build = m->build,
+                               .tool = m->tool,
+                               .mode = m->tool == SERIES_PLAIN ? MODE_PAINT_STACK : MODE_PLAIN,
                                .cpu = -1};
-    for (int i = range->first; i <= range->last; i++) {
-        const struct input *input;
-        if (yardstick_sized(range->yardstick, range->family, i, &input, err) != 0)
-            return -1;
-        if (input->bytes > plan.input_bytes)
-            plan.input_bytes = input->bytes;
-        if (input->answer_bound > plan.answer_bytes)
-            plan.answer_bytes = input->answer_bound;
-    }
-    return series_start(series, &plan, err);
+    for (int family = sizes->first_family; family <= sizes->last_family; family++)
+        for (int i = sizes->first; i <= sizes->last; i++) {
+            const struct input *input;
+            if (yardstick_sized(m->yardstick, family, i, &input, err) != 0)
+                return -1;
+            if (input->bytes > plan.input_bytes)
+                plan.input_bytes = input->bytes;
+            if (input->answer_bound > plan.answer_bytes)
+                plan.answer_bytes = input->answer_bound;
+            plan.call_count++;
+        }
+    return series_start(&m->series, &plan, err);
 }
 
 /* A claim of memory, as far as it can be true. */
@@ -64,9 +71,9 @@ static int64_t possible(int64_t claimed, int64_t most)
     return claimed < 0 ? 0 : claimed < most ? claimed : most;
 }
 
-static int64_t possible_heap(const struct range *range, const struct control *claims)
+static int64_t possible_heap(const struct measuring *m, const struct control *claims)
 {
-    return possible(claims->heap_peak_bytes, range->yardstick->exercise->memory_limit_bytes);
+    return possible(claims->heap_peak_bytes, m->yardstick->exercise->memory_limit_bytes);
 }
 
 /* What the allocator adds to blocks that all lived at once. The number of blocks is believed as far
@@ -79,50 +86,50 @@ static int64_t overhead_bytes(int64_t heap, int64_t allocation_count)
 
 /* What a process of these claims may grow by: its heap with the allocator's overhead, stack, static
  * data, the regions that it shares with us, and what libc keeps. */
-static int64_t explained_bytes(const struct range *range, const struct control *claims,
-                               const struct input *input, const struct build *build)
+static int64_t explained_bytes(const struct measuring *m, const struct control *claims,
+                               const struct input *input)
 {
-    int64_t heap = possible_heap(range, claims);
+    int64_t heap = possible_heap(m, claims);
     return heap + heap / 8 + overhead_bytes(heap, claims->allocation_count) +
-           possible(claims->stack_bytes, STACK_BYTES_MAX) + build->static_bytes +
+           possible(claims->stack_bytes, STACK_BYTES_MAX) + m->build->static_bytes +
            (int64_t)input->bytes + (int64_t)input->answer_bound + RESIDENT_SLACK_BYTES;
 }
 
 /* Calls on one size and judges. Returns 0, or -1: a fault. `run->failure` tells. */
-static int measure_one(const struct range *range, struct series *series, int size_index,
-                       const struct call_limits *limits, struct count_run *run, struct error *err)
+static int measure_one(struct measuring *m, int family, int size_index, struct error *err)
 {
+    const struct call_limits *limits = m->tool == SERIES_PLAIN ? &native_limits : &counted_limits;
     const struct input *input;
-    if (yardstick_sized(range->yardstick, range->family, size_index, &input, err) != 0)
+    m->run->family = family;
+    m->run->size_index = size_index;
+    if (yardstick_sized(m->yardstick, family, size_index, &input, err) != 0)
         return -1;
-    if (series_call(series, input, 0, limits, &run->failure) != CALL_ANSWERED)
+    if (series_call(&m->series, input, 0, limits, &m->run->failure) != CALL_ANSWERED)
         return 0;
-    return attempt_judge(range->yardstick, input, &series->session, &run->failure, err);
+    return attempt_judge(m->yardstick, input, &m->series.session, &m->run->failure, err);
 }
 
 /* Calls on the largest size, and reads from outside how much the process grew. Memory that was not
  * asked for through malloc would show here. */
-static int measure_hidden(const struct range *range, const struct build *build,
-                          struct series *series, int size_index, struct count_run *run,
-                          struct error *err)
+static int measure_hidden(struct measuring *m, int family, int size_index, struct error *err)
 {
-    const struct box *box = &series->session.box;
+    const struct box *box = &m->series.session.box;
     const struct input *input;
     int64_t before = box_reset_peak(box) == 0 ? box_peak_resident_bytes(box) : -1;
-    if (measure_one(range, series, size_index, &native_limits, run, err) != 0 ||
-        yardstick_sized(range->yardstick, range->family, size_index, &input, err) != 0)
+    if (measure_one(m, family, size_index, err) != 0 ||
+        yardstick_sized(m->yardstick, family, size_index, &input, err) != 0)
         return -1;
-    int64_t after = series->end == CALL_ANSWERED ? box_peak_resident_bytes(box) : -1;
+    int64_t after = m->series.end == CALL_ANSWERED ? box_peak_resident_bytes(box) : -1;
     int64_t growth = before >= 0 && after >= 0 ? after - before : 0;
-    if (growth > explained_bytes(range, &series->session.claims, input, build))
-        run->hidden_bytes = growth - possible_heap(range, &series->session.claims);
+    if (growth > explained_bytes(m, &m->series.session.claims, input))
+        m->run->hidden_bytes = growth - possible_heap(m, &m->series.session.claims);
     return 0;
 }
 
-static void read_memory(const struct range *range, const struct series *series, struct cost *cost)
+static void read_memory(const struct measuring *m, struct cost *cost)
 {
-    const struct control *claims = &series->session.claims;
-    cost->heap_peak_bytes = possible_heap(range, claims);
+    const struct control *claims = &m->series.session.claims;
+    cost->heap_peak_bytes = possible_heap(m, claims);
     cost->allocation_count = possible(claims->allocation_count, INT64_MAX);
     cost->stack_bytes = possible(claims->stack_bytes, STACK_BYTES_MAX);
 }
@@ -142,35 +149,33 @@ static void charge(const struct cost *reference, const struct callgrind_dump *du
     cost->counted = true;
 }
 
-static int take_dump(const struct range *range, struct series *series, const char *trigger,
-                     struct callgrind_dump *dump, struct error *err)
+static int take_dump(struct measuring *m, const char *trigger, struct callgrind_dump *dump,
+                     struct error *err)
 {
-    const struct exercise *exercise = range->yardstick->exercise;
+    const struct exercise *exercise = m->yardstick->exercise;
     const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL};
     for (int i = 0; i < exercise->function_count; i++)
         functions[i] = exercise->functions[i];
-    return dumps_take(&series->dumps, trigger, SERIES_CALLER, functions, dump, err);
+    return dumps_take(&m->series.dumps, trigger, SERIES_CALLER, functions, dump, err);
 }
 
-static int read_counts(const struct range *range, struct series *series, int size_index,
-                       struct cost *cost, struct error *err)
+static int read_counts(struct measuring *m, int family, int size_index, struct error *err)
 {
     struct callgrind_dump dump;
-    if (take_dump(range, series, SERIES_DUMPED_CALL, &dump, err) != 0)
+    if (take_dump(m, SERIES_DUMPED_CALL, &dump, err) != 0)
         return -1;
-    charge(&range->yardstick->costs[range->family][size_index], &dump, cost);
+    charge(&m->yardstick->costs[family][size_index], &dump, &m->costs[family][size_index]);
     return 0;
 }
 
 /* The dump at the end of the program has the number that follows: so all before were callgrind's.
  * There is none of a program that did not end through valgrind, with its own exit code. */
-static int check_end(const struct range *range, struct series *series,
-                     const struct box_outcome *outcome, struct error *err)
+static int check_end(struct measuring *m, const struct box_outcome *outcome, struct error *err)
 {
     struct callgrind_dump dump;
     if (outcome->end != BOX_ENDED_EXIT || outcome->exit_code != 0)
         return error_set(err, "the program did not end when it was told to");
-    return take_dump(range, series, SERIES_DUMPED_END, &dump, err);
+    return take_dump(m, SERIES_DUMPED_END, &dump, err);
 }
 
 /* A submission in valgrind's process can write where valgrind writes. What is not exactly what
@@ -188,9 +193,9 @@ static int blame_dump(const struct series *series, const struct error *why, stru
     return 0;
 }
 
-static bool is_hopeless(const struct cost *costs, const struct cost *reference, int i, int first)
+static bool is_hopeless(const struct cost *costs, const struct cost *reference, int i)
 {
-    if (!reference || !costs[i].counted || i < first + SIZES_BEFORE_HOPELESS - 1)
+    if (!costs[i].counted || i < SIZES_BEFORE_HOPELESS - 1)
         return false;
     double ratio = (double)callgrind_cost(&costs[i].counts) /
                    (double)(callgrind_cost(&reference[i].counts) + 1);
@@ -199,55 +204,78 @@ static bool is_hopeless(const struct cost *costs, const struct cost *reference, 
     return ratio > HOPELESS_RATIO && rise > HOPELESS_RISE;
 }
 
-/* The common course of both measurements. */
-static int measure(const struct range *range, const struct build *build, enum series_tool tool,
-                   const struct cost *reference, struct cost *costs, struct count_run *run,
-                   struct error *err)
+/* Whether everything has been well so far, so that the next call makes sense. */
+static bool goes_well(const struct measuring *m)
 {
-    struct series series = series_none();
-    const struct call_limits *limits = tool == SERIES_PLAIN ? &native_limits : &counted_limits;
+    return m->series.end == CALL_ANSWERED && m->run->failure.verdict == VERDICT_PASSED;
+}
+
+/* The sizes of one family, in the process that runs. Returns 0, or -1: a fault. */
+static int measure_family(struct measuring *m, int family, struct error *err)
+{
+    struct cost *costs = m->costs[family];
+    for (int i = m->plan->first; i <= m->plan->last && !m->run->hopeless[family]; i++) {
+        int result = m->tool == SERIES_PLAIN && i == m->plan->last
+                         ? measure_hidden(m, family, i, err)
+                         : measure_one(m, family, i, err);
+        if (result != 0 || !goes_well(m))
+            return result;
+        struct error unread = {""};
+        if (m->tool == SERIES_PLAIN)
+            read_memory(m, &costs[i]);
+        else if (read_counts(m, family, i, &unread) != 0)
+            return blame_dump(&m->series, &unread, &m->run->failure, err);
+        m->run->done[family]++;
+        m->run->hopeless[family] =
+            m->plan->stops_early && is_hopeless(costs, m->yardstick->costs[family], i);
+    }
+    return 0;
+}
+
+/* The common course of both measurements. */
+static int measure(struct measuring *m, struct error *err)
+{
+    struct count_run *run = m->run;
     memset(run, 0, sizeof *run);
     run->failure.verdict = VERDICT_PASSED;
-    int result = start(range, build, tool, &series, err);
-    for (int i = range->first; i <= range->last && result == 0 && !run->hopeless; i++) {
-        result = tool == SERIES_PLAIN && i == range->last
-                     ? measure_hidden(range, build, &series, i, run, err)
-                     : measure_one(range, &series, i, limits, run, err);
-        if (result != 0 || series.end != CALL_ANSWERED || run->failure.verdict != VERDICT_PASSED)
-            break;
-        struct error unread = {""};
-        if (tool == SERIES_PLAIN)
-            read_memory(range, &series, &costs[i]);
-        else if (read_counts(range, &series, i, &costs[i], &unread) != 0)
-            result = blame_dump(&series, &unread, &run->failure, err);
-        if (unread.text[0])
-            break;
-        run->done++;
-        run->hopeless = is_hopeless(costs, reference, i, range->first);
-    }
-    bool counted = tool == SERIES_CALLGRIND && series.started && series.end == CALL_ANSWERED &&
-                   run->failure.verdict == VERDICT_PASSED;
+    m->series = series_none();
+    int result = start(m, err);
+    for (int f = m->plan->first_family; f <= m->plan->last_family && result == 0 && goes_well(m);
+         f++)
+        result = measure_family(m, f, err);
+    bool counted = m->tool != SERIES_PLAIN && m->series.started && goes_well(m);
     struct error unproven = {""};
-    if (series.started && series_end(&series, &run->failure, err) != 0)
+    if (m->series.started && series_end(&m->series, &run->failure, err) != 0)
         result = -1;
-    else if (result == 0 && counted &&
-             check_end(range, &series, &run->failure.outcome, &unproven) != 0)
-        result = blame_dump(&series, &unproven, &run->failure, err);
-    series_release(&series);
+    else if (result == 0 && counted && check_end(m, &run->failure.outcome, &unproven) != 0)
+        result = blame_dump(&m->series, &unproven, &run->failure, err);
+    series_release(&m->series);
     return result;
 }
 
-int count_memory(struct yardstick *yardstick, const struct build *build, int family, int first,
-                 int last, struct cost *costs, struct count_run *run, struct error *err)
+int count_memory(struct yardstick *yardstick, const struct build *build,
+                 const struct count_plan *plan, struct cost *const costs[FAMILIES_MAX],
+                 struct count_run *run, struct error *err)
 {
-    struct range range = {yardstick, family, first, last};
-    return measure(&range, build, SERIES_PLAIN, NULL, costs, run, err);
+    struct measuring measuring = {.yardstick = yardstick,
+                                  .build = build,
+                                  .plan = plan,
+                                  .tool = SERIES_PLAIN,
+                                  .costs = costs,
+                                  .run = run};
+    return measure(&measuring, err);
 }
 
-int count_work(struct yardstick *yardstick, const struct build *build, int family, int first,
-               int last, const struct cost *reference, struct cost *costs, struct count_run *run,
-               struct error *err)
+int count_work(struct yardstick *yardstick, const struct build *build,
+               const struct count_plan *plan, struct cost *const costs[FAMILIES_MAX],
+               struct count_run *run, struct error *err)
 {
-    struct range range = {yardstick, family, first, last};
-    return measure(&range, build, SERIES_CALLGRIND, reference, costs, run, err);
+    struct measuring measuring = {.yardstick = yardstick,
+                                  .build = build,
+                                  .plan = plan,
+                                  .tool =
+                                      plan->without_misses ? SERIES_INSTRUCTIONS : SERIES_CALLGRIND,
+                                  .costs = costs,
+                                  .run = run};
+    return measure(&measuring, err);
 }

@@ -1,35 +1,44 @@
 /* Measures a submission on sized inputs: exact memory natively, exact work under callgrind.
  *
- * All sizes of a family share one process; every measured call is also a judged call. Counts repeat
- * bit for bit: same program name, arguments, empty environment, same libc variants. */
+ * All sizes of a family share one process, and under callgrind, which takes its time to start, all
+ * families; every measured call is also a judged call. Counts repeat bit for bit: same program
+ * name, arguments, empty environment, same libc variants. */
 #ifndef GRADERS_ENGINE_RUN_COUNT_H
 #define GRADERS_ENGINE_RUN_COUNT_H
 
 #include "graders/engine/run/attempt.h"
 
-/* How measuring a family ended. */
+/* What to measure: sizes first ... last of the families first_family ... last_family. */
+struct count_plan {
+    int first_family, last_family;
+    int first, last;
+    bool stops_early;    /* leave out the larger sizes of a family whose cost is far beyond the
+                            reference's and rising; of the sizes, `first` must be 0 */
+    bool without_misses; /* count instructions alone: half the time */
+};
+
+/* How measuring ended. */
 struct count_run {
-    int done;             /* sizes measured, from `first` on */
+    int done[FAMILIES_MAX];      /* sizes measured of each family, from `first` on */
+    bool hopeless[FAMILIES_MAX]; /* stopped early */
     int64_t hidden_bytes; /* resident growth of the largest call that no claim explains; 0: none */
-    bool hopeless;        /* stopped early: the cost is far beyond the reference's and rising */
+    int family, size_index; /* of the last call */
     struct attempt failure; /* verdict PASSED when every call was right, else what went wrong */
 };
 
-/* Calls the plain program on the sized inputs first ... last of a family, natively.
+/* Calls the plain program on sized inputs, natively; of one family.
  *
- * costs     [last + 1]; heap_peak_bytes, allocation_count and stack_bytes of the sizes are set
+ * costs     a family's [last + 1] each, may be NULL for those that are not measured;
+ *           heap_peak_bytes, allocation_count and stack_bytes of the sizes are set
  * returns   0, or -1 and *err (a fault); release run->failure by attempt_release */
-int count_memory(struct yardstick *yardstick, const struct build *build, int family, int first,
-                 int last, struct cost *costs, struct count_run *run, struct error *err) MUST_CHECK;
+int count_memory(struct yardstick *yardstick, const struct build *build,
+                 const struct count_plan *plan, struct cost *const costs[FAMILIES_MAX],
+                 struct count_run *run, struct error *err) MUST_CHECK;
 
-/* The same under callgrind: counts are set.
- *
- * reference  costs of the reference at the same sizes, to stop early when hopeless; NULL: never
- * stop
- */
-int count_work(struct yardstick *yardstick, const struct build *build, int family, int first,
-               int last, const struct cost *reference, struct cost *costs, struct count_run *run,
-               struct error *err) MUST_CHECK;
+/* The same under callgrind: counts are set. */
+int count_work(struct yardstick *yardstick, const struct build *build,
+               const struct count_plan *plan, struct cost *const costs[FAMILIES_MAX],
+               struct count_run *run, struct error *err) MUST_CHECK;
 
 /* Whether valgrind can be used here. Returns true, or false and says why. */
 bool count_available(char *reason, size_t capacity);

@@ -46,12 +46,15 @@ static void blame_failure(struct trial *trial, int family, int size_index,
 static int measure_memory(struct trial *trial, int family, bool *right, struct error *err)
 {
     struct yardstick *yardstick = trial->yardstick;
+    struct cost *costs[FAMILIES_MAX] = {[0] = NULL};
+    struct count_plan plan = {
+        .first_family = family, .last_family = family, .last = yardstick->size_count - 1};
     struct count_run run;
-    int result = count_memory(yardstick, &trial->build, family, 0, yardstick->size_count - 1,
-                              trial->families[family].costs, &run, err);
+    costs[family] = trial->families[family].costs;
+    int result = count_memory(yardstick, &trial->build, &plan, costs, &run, err);
     *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
     if (result == 0 && !*right)
-        blame_failure(trial, family, run.done, &run.failure);
+        blame_failure(trial, run.family, run.size_index, &run.failure);
     if (result == 0 && run.hidden_bytes > 0)
         check_say(
             &trial->checks[CHECK_MEMORY], VERDICT_FLAGGED, &memory_outside_heap,
@@ -63,31 +66,36 @@ static int measure_memory(struct trial *trial, int family, bool *right, struct e
     return result;
 }
 
-static int count_sizes(struct trial *trial, int family, int first, int last, bool *right,
+static int count_sizes(struct trial *trial, const struct count_plan *plan, bool *right,
                        struct error *err)
 {
-    struct family_result *found = &trial->families[family];
+    struct cost *costs[FAMILIES_MAX] = {[0] = NULL};
     struct count_run run;
-    int result =
-        count_work(trial->yardstick, &trial->build, family, first, last,
-                   first == 0 ? trial->yardstick->costs[family] : NULL, found->costs, &run, err);
-    found->size_count = first + run.done;
-    found->hopeless = run.hopeless;
+    for (int family = 0; family < trial->yardstick->family_count; family++)
+        costs[family] = trial->families[family].costs;
+    int result = count_work(trial->yardstick, &trial->build, plan, costs, &run, err);
+    for (int family = plan->first_family; family <= plan->last_family; family++) {
+        trial->families[family].size_count = plan->first + run.done[family];
+        trial->families[family].hopeless = run.hopeless[family];
+    }
     *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
     if (result == 0 && !*right)
-        blame_failure(trial, family, first + run.done, &run.failure);
+        blame_failure(trial, run.family, run.size_index, &run.failure);
     attempt_release(&run.failure);
     return result;
 }
 
-/* The reference at the two sizes more, so that every size of a report has its companion. */
-static int count_reference(struct yardstick *yardstick, int family, int last, struct error *err)
+/* The reference at larger sizes, so that every size of a report has its companion. */
+static int count_reference(struct yardstick *yardstick, const struct count_plan *plan,
+                           struct error *err)
 {
+    int family = plan->first_family;
+    struct cost *costs[FAMILIES_MAX] = {[0] = NULL};
     struct count_run run;
-    if (yardstick->costs[family][last].counted)
+    if (yardstick->costs[family][plan->last].counted)
         return 0;
-    int result = count_work(yardstick, &yardstick->reference, family, yardstick->size_count, last,
-                            NULL, yardstick->costs[family], &run, err);
+    costs[family] = yardstick->costs[family];
+    int result = count_work(yardstick, &yardstick->reference, plan, costs, &run, err);
     if (result == 0 && run.failure.verdict != VERDICT_PASSED)
         result = error_set(err, "exercise %s: the reference fails at larger sizes: %s",
                            yardstick->exercise->name, run.failure.message.en);
@@ -97,15 +105,19 @@ static int count_reference(struct yardstick *yardstick, int family, int last, st
 
 /* ------------------------------------------------------------------ growth */
 
-static int fit(struct trial *trial, int family, enum growth_class allowed, bool last,
-               struct error *err)
+static int fit(struct trial *trial, int family, enum growth_look look, struct error *err)
 {
+    const struct exercise *exercise = trial->yardstick->exercise;
     struct family_result *found = &trial->families[family];
+    enum growth_class allowed;
     int64_t counts[SIZES_MAX];
+    if (growth_class_find(exercise->growth_allowed, &allowed) != 0)
+        return error_set(err, "exercise %s: growth: no class \"%s\"", exercise->name,
+                         exercise->growth_allowed);
     for (int i = 0; i < found->size_count; i++)
         counts[i] = found->costs[i].counts.instructions;
     found->fitted = true;
-    return growth_fit(trial->yardstick->sizes, counts, found->size_count, allowed, last,
+    return growth_fit(trial->yardstick->sizes, counts, found->size_count, allowed, look,
                       &found->fit, err);
 }
 
@@ -147,25 +159,37 @@ static void say_growth(struct trial *trial, int family)
                 judge_family_name(yardstick->judge, family), yardstick->exercise->growth_allowed);
 }
 
+/* Counts one family at the sizes up to `last` as well, unless its growth is decided. */
+static int look_closer(struct trial *trial, int family, int last, bool *right, struct error *err)
+{
+    const struct family_result *found = &trial->families[family];
+    struct count_plan plan = {.first_family = family,
+                              .last_family = family,
+                              .first = found->size_count,
+                              .last = last,
+                              .without_misses = true};
+    if (found->fit.decision != GROWTH_UNDECIDED || found->hopeless || plan.first > last)
+        return 0;
+    if (count_reference(trial->yardstick, &plan, err) != 0 ||
+        count_sizes(trial, &plan, right, err) != 0)
+        return -1;
+    return *right ? fit(trial, family, GROWTH_FULL_LOOK, err) : 0;
+}
+
 static int judge_growth(struct trial *trial, int family, bool *right, struct error *err)
 {
-    const struct exercise *exercise = trial->yardstick->exercise;
+    const struct yardstick *yardstick = trial->yardstick;
     struct family_result *found = &trial->families[family];
-    enum growth_class allowed;
-    if (growth_class_find(exercise->growth_allowed, &allowed) != 0)
-        return error_set(err, "exercise %s: growth: no class \"%s\"", exercise->name,
-                         exercise->growth_allowed);
-    if (fit(trial, family, allowed, false, err) != 0)
+    bool has_all = found->hopeless || found->size_count == yardstick->size_count;
+    if (fit(trial, family, has_all ? GROWTH_FULL_LOOK : GROWTH_FIRST_LOOK, err) != 0 ||
+        look_closer(trial, family, yardstick->size_count - 1, right, err) != 0)
         return -1;
-    if (found->fit.decision == GROWTH_UNDECIDED && !found->hopeless) {
-        int last = trial->yardstick->size_count + EXTRA_DOUBLINGS - 1;
-        if (count_reference(trial->yardstick, family, last, err) != 0 ||
-            count_sizes(trial, family, trial->yardstick->size_count, last, right, err) != 0)
-            return -1;
-        if (!*right)
-            return 0;
-    }
-    if (found->fit.decision == GROWTH_UNDECIDED && fit(trial, family, allowed, true, err) != 0)
+    if (*right &&
+        look_closer(trial, family, yardstick->size_count + EXTRA_DOUBLINGS - 1, right, err) != 0)
+        return -1;
+    if (!*right)
+        return 0;
+    if (found->fit.decision == GROWTH_UNDECIDED && fit(trial, family, GROWTH_LAST_LOOK, err) != 0)
         return -1;
     if (found->fit.decision == GROWTH_FAIL || found->hopeless)
         say_growth(trial, family);
@@ -207,8 +231,8 @@ static void find_work_ratios(struct trial *trial, int *family_at_fault)
     const struct yardstick *yardstick = trial->yardstick;
     for (int family = 0; family < yardstick->family_count; family++) {
         int largest = trial->families[family].size_count - 1;
-        if (largest >= yardstick->size_count)
-            largest = yardstick->size_count - 1;
+        if (largest >= yardstick->counted_count)
+            largest = yardstick->counted_count - 1;
         const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
         const struct callgrind_counts *theirs = &yardstick->costs[family][largest].counts;
         double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
@@ -266,10 +290,10 @@ static int judge_work(struct trial *trial, struct error *err)
  * band loses the mark unless the time is within it. */
 static int check_counts(struct trial *trial, struct error *err)
 {
-    int largest = trial->yardstick->size_count - 1;
+    int counted = trial->yardstick->counted_count - 1, largest = trial->yardstick->size_count - 1;
     for (int family = 0; family < trial->yardstick->family_count; family++) {
-        const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
-        const struct callgrind_counts *theirs = &trial->yardstick->costs[family][largest].counts;
+        const struct callgrind_counts *mine = &trial->families[family].costs[counted].counts;
+        const struct callgrind_counts *theirs = &trial->yardstick->costs[family][counted].counts;
         double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
         double bound = TIME_FLOOR + TIME_TO_COUNT * ratio;
         bool denied;
@@ -327,9 +351,13 @@ int trial_check_growth(struct trial *trial, struct error *err)
     check_say(&trial->checks[CHECK_GROWTH], VERDICT_PASSED, NULL,
               "The work grows no faster than %s.", "El trabajo no crece más que %s.",
               exercise->growth_allowed);
+    struct count_plan plan = {.last_family = yardstick->family_count - 1,
+                              .last = yardstick->counted_count - 1,
+                              .stops_early = true};
+    if (yardstick->family_count > 0 && count_sizes(trial, &plan, &right, err) != 0)
+        return -1;
     for (int family = 0; family < yardstick->family_count && right; family++)
-        if (count_sizes(trial, family, 0, yardstick->size_count - 1, &right, err) != 0 ||
-            (right && judge_growth(trial, family, &right, err) != 0))
+        if (judge_growth(trial, family, &right, err) != 0)
             return -1;
     if (!right || trial->checks[CHECK_GROWTH].verdict != VERDICT_PASSED)
         return 0;

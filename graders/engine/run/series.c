@@ -2,6 +2,7 @@
 #include "graders/engine/run/series.h"
 
 #include "graders/engine/base/files.h"
+#include "graders/engine/run/debug_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -21,6 +22,15 @@ static const char ASAN_OPTIONS[] =
     "ASAN_OPTIONS=detect_leaks=0:abort_on_error=0:exitcode=" FOUND ":handle_segv=2:handle_sigbus=2:"
     "handle_sigfpe=2:color=never:allocator_may_return_null=1:detect_stack_use_after_return=0";
 
+#define COUNTING                                                                                   \
+    "/usr/bin/valgrind", "-q", "--tool=callgrind", "--vgdb=no", "--dump-line=no",                  \
+        SERIES_DUMPED_CALL, "--callgrind-out-file=/proc/self/cwd/counts"
+#define COUNTED                                                                                    \
+    {                                                                                              \
+        "PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp",                                            \
+            "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-AVX512VL,-ERMS,-FSRM", NULL           \
+    }
+
 /* How each tool is run. Programs are named relative to /work, so that their counts do not depend on
  * the host's paths; callgrind would make a relative name absolute, and its user may not pass all
  * folders above, but /proc/self/cwd leads there at once. GLIBC_TUNABLES pins libc's choice of
@@ -36,13 +46,13 @@ static const struct {
     [SERIES_PLAIN] = {PROGRAM_PLAIN, MODE_PLAIN, {NULL}, {NULL}},
     [SERIES_CALLGRIND] = {PROGRAM_PLAIN,
                           MODE_COUNT,
-                          {"/usr/bin/valgrind", "-q", "--tool=callgrind", "--vgdb=no",
-                           "--cache-sim=yes", "--dump-line=no", SERIES_DUMPED_CALL,
-                           "--I1=32768,8,64", "--D1=32768,8,64", "--LL=8388608,16,64",
-                           "--callgrind-out-file=/proc/self/cwd/counts", "./plain", NULL},
-                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp",
-                           "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-AVX512VL,-ERMS,-FSRM",
-                           NULL}},
+                          {COUNTING, "--cache-sim=yes", "--I1=32768,8,64", "--D1=32768,8,64",
+                           "--LL=8388608,16,64", "./plain", NULL},
+                          COUNTED},
+    [SERIES_INSTRUCTIONS] = {PROGRAM_PLAIN,
+                             MODE_COUNT,
+                             {COUNTING, "--cache-sim=no", "./plain", NULL},
+                             COUNTED},
     [SERIES_SANITIZER] = {PROGRAM_SANITIZED,
                           MODE_PLAIN,
                           {"./sanitized", NULL},
@@ -67,6 +77,11 @@ static int make_scratch(const struct series *series, struct error *err)
     return box_give_folder(path, err);
 }
 
+static bool is_counted(enum series_tool tool)
+{
+    return tool == SERIES_CALLGRIND || tool == SERIES_INSTRUCTIONS;
+}
+
 static int make_folder(struct series *series, const struct series_plan *plan, struct error *err)
 {
     if (plan->tool == SERIES_PLAIN)
@@ -76,8 +91,8 @@ static int make_folder(struct series *series, const struct series_plan *plan, st
         return -1;
     if (make_scratch(series, err) != 0 || box_open_way(series->folder, err) != 0)
         return -1;
-    return plan->tool == SERIES_CALLGRIND
-               ? dumps_make(&series->dumps, series->folder, SIZES_MAX, err)
+    return is_counted(plan->tool)
+               ? dumps_make(&series->dumps, series->folder, plan->call_count, err)
                : box_give_folder(series->folder, err);
 }
 
@@ -91,6 +106,9 @@ struct series series_none(void)
 int series_start(struct series *series, const struct series_plan *plan, struct error *err)
 {
     bool plain = plan->tool == SERIES_PLAIN;
+    char linker[PATH_MAX];
+    /* Half of memcheck's start is to read what it makes no use of. */
+    bool hides_rest = plan->tool == SERIES_MEMCHECK && debug_file_of_linker(linker, sizeof linker);
     int64_t heap_limit = plan->yardstick->exercise->memory_limit_bytes;
     *series = series_none();
     series->yardstick = plan->yardstick;
@@ -106,7 +124,9 @@ int series_start(struct series *series, const struct series_plan *plan, struct e
         .argv = plain ? NULL : argv,
         .envp = plain ? NULL : envp,
         .work_folder = plain ? NULL : series->folder,
-        .given_files_only = plan->tool == SERIES_CALLGRIND,
+        .given_files_only = is_counted(plan->tool),
+        .covered = hides_rest ? DEBUG_FILE_FOLDER : NULL,
+        .uncovered = hides_rest ? linker : NULL,
         .input = &series->input,
         .answer_bytes = plan->answer_bytes,
         .mode = tools[plan->tool].mode | plan->mode,
@@ -115,7 +135,7 @@ int series_start(struct series *series, const struct series_plan *plan, struct e
             (uint64_t)heap_limit + plan->input_bytes + plan->answer_bytes + TOOL_MEMORY_BYTES,
         .cpu_seconds = CPU_SECONDS,
         .cpu = plan->cpu,
-        .meanwhile = plan->tool == SERIES_CALLGRIND ? dumps_drain : NULL,
+        .meanwhile = is_counted(plan->tool) ? dumps_drain : NULL,
         .meanwhile_argument = &series->dumps,
     };
     if (session_start(&series->session, &session, err) != 0)

@@ -9,10 +9,11 @@
 #include "graders/engine/run/dumps.h"
 
 enum series_tool {
-    SERIES_PLAIN,     /* natively, in a run box */
-    SERIES_CALLGRIND, /* counted: a dump a call, and one at the program's end */
-    SERIES_SANITIZER, /* the program with ASan and UBSan; no allocation is counted */
-    SERIES_MEMCHECK   /* the dynamic program under memcheck; no allocation is counted */
+    SERIES_PLAIN,        /* natively, in a run box */
+    SERIES_CALLGRIND,    /* counted: a dump a call, and one at the program's end */
+    SERIES_INSTRUCTIONS, /* the same without cache misses: half the time */
+    SERIES_SANITIZER,    /* the program with ASan and UBSan; no allocation is counted */
+    SERIES_MEMCHECK      /* the dynamic program under memcheck; no allocation is counted */
 };
 
 /* Exit code of a program in which a sanitizer or memcheck found an error. */
@@ -31,6 +32,7 @@ struct series_plan {
     const struct build *build;
     enum series_tool tool;
     size_t input_bytes, answer_bytes; /* capacities: the largest of all calls */
+    int call_count;                   /* SERIES_CALLGRIND, SERIES_INSTRUCTIONS: at most */
     uint32_t mode;                    /* further runner_mode flags */
     int cpu;                          /* pin to it, -1: not */
 };
@@ -39,7 +41,7 @@ struct series {
     const struct yardstick *yardstick;
     struct region input;
     struct session session;
-    struct dumps dumps;    /* SERIES_CALLGRIND: what it dumped */
+    struct dumps dumps;    /* what callgrind dumped */
     char folder[PATH_MAX]; /* /work of the box; empty for SERIES_PLAIN */
     enum call_end end;     /* of the last call */
     bool started;

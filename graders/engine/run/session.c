@@ -67,6 +67,8 @@ static void fill_box_plan(const struct session *session, const struct session_pl
         .program_fd = plan->program_fd,
         .writable = plan->work_folder,
         .given_files_only = plan->given_files_only,
+        .covered = plan->covered,
+        .readable = {plan->uncovered},
         .passed = {session->control_region.fd, plan->input->fd, session->answer.fd},
         .passed_count = 3,
         .input_fd = -1,

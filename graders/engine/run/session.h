@@ -28,6 +28,8 @@ struct session_plan {
     char *const *envp;           /* NULL: the box's own */
     const char *work_folder;     /* host folder seen as /work, or NULL */
     bool given_files_only;       /* as in struct box_plan */
+    const char *covered;         /* as in struct box_plan, */
+    const char *uncovered;       /* and the one file in it that is seen; both or none */
     const struct region *input;  /* borrowed for the session's life */
     size_t answer_bytes;         /* capacity of the answer region */
     uint32_t mode;               /* runner_mode flags */

@@ -56,7 +56,7 @@ static int check_cases(const struct pair *pair, struct error *err)
     for (size_t i = 0; i < pair->judge->case_count; i++) {
         const struct judge_case *c = &pair->judge->cases[i];
         any_public |= judge_case_is_public(c);
-        any_quick |= c->is_quick;
+        any_quick |= judge_case_is_quick(c);
         for (size_t k = 0; k < i; k++) {
             if (strcmp(pair->judge->cases[k].name, c->name) == 0)
                 return error_set(err, "%s: two cases are called %s; rename one", pair->file,

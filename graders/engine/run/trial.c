@@ -117,7 +117,9 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
     if (!trial->cases)
         return error_set(err, "out of memory");
     int64_t since_ns = spent_ns();
-    if (build_submission(yardstick->exercise, sources, source_count, &trial->build, err) != 0)
+    bool only_cases = scope->quick || scope->only_case;
+    if (build_submission(yardstick->exercise, sources, source_count,
+                         only_cases ? BUILD_PLAIN : BUILD_ALL, &trial->build, err) != 0)
         return -1;
     charge(trial, STAGE_BUILD, &since_ns);
     trial->active_layers = trial->build.active_layers;
@@ -127,7 +129,7 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
         return -1;
     charge(trial, STAGE_CASES, &since_ns);
     check_leak(trial);
-    return scope->quick || scope->only_case ? 0 : run_checks(trial, err);
+    return only_cases ? 0 : run_checks(trial, err);
 }
 
 void trial_release(struct trial *trial)

@@ -12,7 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { EXTRA_DOUBLINGS = 2 /* when the first sizes leave the growth undecided */ };
+enum {
+    EXTRA_DOUBLINGS = 2, /* when the first sizes leave the growth undecided */
+    FIRST_LOOK_SIZES = 6 /* so many are enough to leave the largest out at first */
+};
 static const uint64_t SIZED_SEED = 20260411;
 static const struct call_limits reference_limits = {60000000000LL, 10000000000LL};
 
@@ -152,7 +155,7 @@ static int build_reference(struct yardstick *yardstick, struct error *err)
     if (file_read(path, 1 << 20, &text, &count, err) != 0)
         return -1;
     struct source source = {"answer.c", text, count};
-    int result = build_submission(exercise, &source, 1, &yardstick->reference, err);
+    int result = build_submission(exercise, &source, 1, BUILD_PLAIN, &yardstick->reference, err);
     free(text);
     if (result == 0 && yardstick->reference.refusal.refused)
         result = error_set(
@@ -167,38 +170,45 @@ static void choose_sizes(struct yardstick *yardstick)
     const struct exercise *exercise = yardstick->exercise;
     if (!exercise->checked[CHECK_GROWTH])
         return;
-    yardstick->family_count = judge_family_count(yardstick->judge); /* soundness_check: no more than
-                                                                        are measured */
+    yardstick->family_count = judge_family_count(yardstick->judge);
     yardstick->size_count = exercise->growth_doublings + 1;
+    yardstick->counted_count = yardstick->size_count - (yardstick->size_count > FIRST_LOOK_SIZES);
     for (int i = 0; i < yardstick->size_count + EXTRA_DOUBLINGS; i++)
         yardstick->sizes[i] = exercise->growth_first_size << i;
 }
 
+static int explain_failure(const struct yardstick *yardstick, const struct count_run *run,
+                           struct error *err)
+{
+    return error_set(err, "exercise %s: the reference fails on %s: %s %s",
+                     yardstick->exercise->name, judge_family_name(yardstick->judge, run->family),
+                     run->failure.cause, run->failure.message.en);
+}
+
 static int measure_reference(struct yardstick *yardstick, struct error *err)
 {
-    for (int family = 0; family < yardstick->family_count; family++) {
-        struct count_run run;
-        int last = yardstick->size_count - 1;
-        struct cost *costs = yardstick->costs[family];
-        int result =
-            count_memory(yardstick, &yardstick->reference, family, 0, last, costs, &run, err);
-        enum verdict verdict = run.failure.verdict;
-        if (result == 0 && verdict == VERDICT_PASSED && yardstick->probes.valgrind) {
-            attempt_release(&run.failure);
-            result = count_work(yardstick, &yardstick->reference, family, 0, last, NULL, costs,
-                                &run, err);
-            verdict = run.failure.verdict;
-        }
-        if (result == 0 && verdict != VERDICT_PASSED)
-            result =
-                error_set(err, "exercise %s: the reference fails on %s: %s %s",
-                          yardstick->exercise->name, judge_family_name(yardstick->judge, family),
-                          run.failure.cause, run.failure.message.en);
+    struct cost *costs[FAMILIES_MAX];
+    struct count_run run;
+    int last_family = yardstick->family_count - 1;
+    int result = 0;
+    for (int family = 0; family <= last_family; family++)
+        costs[family] = yardstick->costs[family];
+    for (int family = 0; family <= last_family && result == 0; family++) {
+        struct count_plan plan = {
+            .first_family = family, .last_family = family, .last = yardstick->size_count - 1};
+        result = count_memory(yardstick, &yardstick->reference, &plan, costs, &run, err);
+        if (result == 0 && run.failure.verdict != VERDICT_PASSED)
+            result = explain_failure(yardstick, &run, err);
         attempt_release(&run.failure);
-        if (result != 0)
-            return -1;
     }
-    return 0;
+    if (result != 0 || last_family < 0 || !yardstick->probes.valgrind)
+        return result;
+    struct count_plan plan = {.last_family = last_family, .last = yardstick->counted_count - 1};
+    result = count_work(yardstick, &yardstick->reference, &plan, costs, &run, err);
+    if (result == 0 && run.failure.verdict != VERDICT_PASSED)
+        result = explain_failure(yardstick, &run, err);
+    attempt_release(&run.failure);
+    return result;
 }
 
 /* -------------------------------------------------------------------- life */
