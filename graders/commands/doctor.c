@@ -81,7 +81,7 @@ static void add_pictures(struct finding *findings, int *count)
     snprintf(path, sizeof path, "%s/job.json", folder);
     if (written == 0 && file_write(path, job, strlen(job), &err) == 0 && renderer_path()) {
         finding->works =
-            renderer_run(renderer_path(), path, renderer_limit_ms(1), &reason) == RENDERER_DREW;
+            renderer_run(renderer_path(), path, renderer_limits(1), &reason) == RENDERER_DREW;
         snprintf(finding->reason, sizeof finding->reason, "%s", reason.en);
     }
     folder_remove_work(folder);

@@ -246,12 +246,32 @@ static void close_lesson(struct lesson *lesson)
     lesson->made = false;
 }
 
-static int open_lesson(struct lesson *lesson, uint32_t seed, struct error *err)
+/* Makes the yardstick; what fails for a moment is tried again. Returns -1 and why when it does not
+ * help. */
+static int open_lesson(struct lesson *lesson, uint32_t seed, struct error *why)
 {
-    lesson->made = true; /* what was made in part is released, too */
-    if (yardstick_make(&lesson->yardstick, lesson->exercise, seed, false, err) != 0)
-        return -1;
-    return yardstick_make_cases(&lesson->yardstick, false, err);
+    for (int try = 0; try < TRIES; try++) {
+        *why = (struct error){""};
+        lesson->made = true; /* what was made in part is released, too */
+        if (yardstick_make(&lesson->yardstick, lesson->exercise, seed, false, why) == 0 &&
+            yardstick_make_cases(&lesson->yardstick, false, why) == 0)
+            return 0;
+        close_lesson(lesson);
+    }
+    return -1;
+}
+
+/* Without a yardstick nobody's answer to this exercise can be judged: a fault each. The other
+ * exercises are graded all the same. */
+static int give_up_lesson(struct classroom *classroom, struct lesson *lesson,
+                          const struct error *why, struct error *err)
+{
+    for (; lesson->next < lesson->count; lesson->next++) {
+        const struct upload *upload = &classroom->uploads->uploads[lesson->uploads[lesson->next]];
+        if (keep_fault(classroom, lesson->exercise, upload, why, err) != 0)
+            return -1;
+    }
+    return 0;
 }
 
 /* -------------------------------------------------------------------- plan */
@@ -269,26 +289,31 @@ static int start_next(struct classroom *classroom, struct plan *plan, struct job
                       struct error *err)
 {
     struct lesson *lesson = &plan->lessons[plan->open];
-    if (!lesson->made && open_lesson(lesson, classroom->seed, err) != 0)
-        return -1;
+    struct error why;
+    if (!lesson->made && open_lesson(lesson, classroom->seed, &why) != 0)
+        return give_up_lesson(classroom, lesson, &why, err);
     *job = (struct job){.lesson = plan->open, .upload = lesson->uploads[lesson->next++]};
     lesson->running++;
     plan->running++;
     return start_job(job, &lesson->yardstick, &classroom->uploads->uploads[job->upload], err);
 }
 
+/* Goes on to the next lesson with something to do; false when there is none. */
+static bool has_next(struct plan *plan)
+{
+    while (plan->open < plan->lesson_count &&
+           plan->lessons[plan->open].next == plan->lessons[plan->open].count)
+        plan->open++;
+    return plan->open < plan->lesson_count;
+}
+
 /* Gives every free job something to do, as long as there is anything. */
 static int start_jobs(struct classroom *classroom, struct plan *plan, struct error *err)
 {
-    for (int i = 0; i < classroom->job_count; i++) {
-        while (plan->open < plan->lesson_count &&
-               plan->lessons[plan->open].next == plan->lessons[plan->open].count)
-            plan->open++;
-        if (plan->open == plan->lesson_count)
-            return 0;
-        if (!plan->jobs[i].pid && start_next(classroom, plan, &plan->jobs[i], err) != 0)
-            return -1;
-    }
+    for (int i = 0; i < classroom->job_count; i++)
+        while (!plan->jobs[i].pid && has_next(plan)) /* again: a lesson may have been given up */
+            if (start_next(classroom, plan, &plan->jobs[i], err) != 0)
+                return -1;
     return 0;
 }
 

@@ -6,7 +6,8 @@
  *   the last children of an exercise run on while the next yardstick is made
  *
  * Killed at any moment, the next run goes on where this one stopped, and ends with the same
- * results. A fault is tried again once; then it is stored as a fault, which is never scored. */
+ * results. A fault is tried again once; then it is stored as a fault, which is never scored. So is
+ * a yardstick that cannot be made: a fault of each submission to its exercise, and of no other. */
 #ifndef GRADERS_ENGINE_CLASSROOM_H
 #define GRADERS_ENGINE_CLASSROOM_H
 
@@ -31,7 +32,7 @@ struct classroom {
 };
 
 /* Grades. Returns 0 (also when results hold faults), or -1 and *err: the store cannot be written,
- * or an exercise itself is unsound. */
+ * or no worker can be started. */
 int classroom_grade(struct classroom *classroom, struct error *err) MUST_CHECK;
 
 /* Grades one submission in this process: the whole way from sources to outcome.

@@ -34,7 +34,7 @@ bool page_has_file(const struct page_context *context, const char *path);
 void page_picture(struct html *page, const struct page_context *context, const char *path,
                   struct phrase alt);
 
-/* The report's line when pictures are missing: "Pictures were not drawn: ...". */
+/* The report's line when pictures are missing: "3 pictures of this class are missing: ...". */
 void page_pictures_note(struct html *page, const struct page_context *context);
 
 /* Layers that were active and inactive, and probes that were missing, over some results. */

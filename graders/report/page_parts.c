@@ -191,7 +191,15 @@ void page_pictures_note(struct html *page, const struct page_context *context)
         return;
     html_open(page, "p");
     html_attribute(page, "class", "note");
-    html_both(page, (struct phrase){"Pictures were not drawn: ", "No se dibujaron las imágenes: "});
+    long long undrawn = json_integer_value(json_object_get(context->pictures_status, "undrawn"));
+    struct message text = {"", ""};
+    message_en(&text, "%lld picture%s of this class %s missing: ", undrawn, plural_ending(undrawn),
+               undrawn == 1 ? "is" : "are");
+    message_es(&text,
+               undrawn == 1 ? "Falta %lld imagen de esta clase: "
+                            : "Faltan %lld imágenes de esta clase: ",
+               undrawn);
+    html_both(page, (struct phrase){text.en, text.es});
     html_both(page, reason);
     html_close(page, "p");
 }

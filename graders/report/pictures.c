@@ -255,7 +255,7 @@ static int draw(struct drawing *drawing, struct job *job, const char *sheet, con
         return -1;
     struct phrase reason = {NULL, NULL};
     enum renderer_end end =
-        renderer_run(drawing->renderer, path, renderer_limit_ms(job->stale), &reason);
+        renderer_run(drawing->renderer, path, renderer_limits(job->stale), &reason);
     unlink(path);
     size_t fresh = count_fresh(job, drawing->out);
     bool sheet_is_new = access(sheet_path, R_OK) == 0 && (fresh > 0 || !sheet_was_there);

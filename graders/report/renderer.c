@@ -7,13 +7,15 @@
 #include <signal.h>
 #include <spawn.h>
 #include <stdint.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 extern char **environ;
 
-enum { NOTHING_DRAWN = 2, NOT_STARTED = 127 };
+enum { NOTHING_DRAWN = 2, NOT_STARTED = 127, IDLE_ROUNDS = 60 };
 
 struct phrase renderer_absent_reason(void)
 {
@@ -35,8 +37,11 @@ static const struct phrase no_gl = {
     "software).",
     "meshgrade-render no encontró OpenGL en esta máquina (libegl1 y libgl1-mesa-dri dan uno por "
     "software)."};
-static const struct phrase out_of_time = {"meshgrade-render did not end in time and was stopped.",
-                                          "meshgrade-render no terminó a tiempo y se detuvo."};
+static const struct phrase out_of_cpu_time = {
+    "meshgrade-render used more CPU time than its pictures can need and was stopped.",
+    "meshgrade-render usó más tiempo de CPU del que pueden necesitar sus imágenes y se detuvo."};
+static const struct phrase stood_still = {"meshgrade-render stood still and was stopped.",
+                                          "meshgrade-render dejó de avanzar y se detuvo."};
 static const struct phrase crashed = {"meshgrade-render crashed.", "meshgrade-render se rompió."};
 static const struct phrase not_started = {"meshgrade-render could not be started.",
                                           "meshgrade-render no se pudo iniciar."};
@@ -58,37 +63,60 @@ static int start(const char *program, const char *job_path, pid_t *pid)
     return status == 0 ? 0 : -1;
 }
 
-/* Waits for the end of a child; kills it after limit_ms. Returns whether it ended by itself. */
-static bool wait_for(pid_t pid, int limit_ms, int *status)
+/* CPU time of a process, all its threads together; negative when it has ended. */
+static int64_t cpu_ns_of(pid_t pid)
 {
-    int fd = (int)syscall(SYS_pidfd_open, pid, 0);
+    clockid_t clock;
+    struct timespec spent;
+    if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &spent) != 0)
+        return -1;
+    return spent.tv_sec * INT64_C(1000000000) + spent.tv_nsec;
+}
+
+/* Waits for the end of a child, and kills it when it has not used the CPU for that long: it waits
+ * for something that will not come. One that is kept waiting by other programs gets a little.
+ * Returns whether it ended by itself. */
+static bool wait_for(pid_t pid, int idle_ms, int *status)
+{
+    int fd = (int)syscall(SYS_pidfd_open, pid, 0), round_ms = idle_ms / IDLE_ROUNDS + 1;
     bool ended = true;
-    if (fd >= 0) {
+    int64_t spent_ns = -1;
+    for (int idle_rounds = 0; fd >= 0 && ended; idle_rounds++) {
         struct pollfd wait = {.fd = fd, .events = POLLIN};
-        int ready;
-        do
-            ready = poll(&wait, 1, limit_ms);
-        while (ready < 0 && errno == EINTR);
-        if (ready <= 0) {
-            ended = false;
-            kill(pid, SIGKILL);
-        }
-        close(fd);
+        if (poll(&wait, 1, round_ms) > 0)
+            break;
+        int64_t now_ns = cpu_ns_of(pid);
+        if (now_ns != spent_ns)
+            idle_rounds = 0;
+        spent_ns = now_ns;
+        ended = idle_rounds < IDLE_ROUNDS;
     }
+    if (!ended)
+        kill(pid, SIGKILL);
+    if (fd >= 0)
+        close(fd);
     while (waitpid(pid, status, 0) < 0 && errno == EINTR)
         continue;
     return ended;
 }
 
-int renderer_limit_ms(size_t picture_count)
+struct renderer_limits renderer_limits(size_t picture_count)
 {
-    enum { FIRST_MS = 30000, PICTURE_MS = 10000, MOST_PICTURES = 1000 };
+    enum { FIRST_SECONDS = 30, PICTURE_SECONDS = 10, MOST_PICTURES = 1000, IDLE_MS = 60000 };
     size_t counted = picture_count < MOST_PICTURES ? picture_count : MOST_PICTURES;
-    return FIRST_MS + PICTURE_MS * (int)counted;
+    return (struct renderer_limits){FIRST_SECONDS + PICTURE_SECONDS * (int)counted, IDLE_MS};
 }
 
-enum renderer_end renderer_run(const char *program, const char *job_path, int limit_ms,
-                               struct phrase *reason)
+/* Why it failed, by how it ended; both NULL: it did not. */
+static struct phrase failure_of(int status)
+{
+    if (!WIFSIGNALED(status))
+        return (struct phrase){NULL, NULL};
+    return WTERMSIG(status) == SIGXCPU ? out_of_cpu_time : crashed;
+}
+
+enum renderer_end renderer_run(const char *program, const char *job_path,
+                               struct renderer_limits limits, struct phrase *reason)
 {
     int status = 0;
     pid_t pid = 0;
@@ -96,12 +124,14 @@ enum renderer_end renderer_run(const char *program, const char *job_path, int li
         *reason = program ? not_started : renderer_absent_reason();
         return RENDERER_USELESS;
     }
-    if (!wait_for(pid, limit_ms, &status)) {
-        *reason = out_of_time;
+    const struct rlimit cpu = {(rlim_t)limits.cpu_seconds, (rlim_t)limits.cpu_seconds + 1};
+    prlimit(pid, RLIMIT_CPU, &cpu, NULL);
+    if (!wait_for(pid, limits.idle_ms, &status)) {
+        *reason = stood_still;
         return RENDERER_FAILED;
     }
-    if (WIFSIGNALED(status)) {
-        *reason = crashed;
+    if (failure_of(status).en) {
+        *reason = failure_of(status);
         return RENDERER_FAILED;
     }
     if (WEXITSTATUS(status) == NOTHING_DRAWN) {

@@ -22,7 +22,7 @@ json_t *report_results(const char *out, struct error *err) MUST_CHECK;
  * returns        how many pictures were drawn now, sheets included; -1 and *err when OUT cannot be
  * read or written. That there is no renderer or no GL is no error: it is written into
  *                OUT/pictures/status.json, and the pages say it
- * cost           one process of the renderer a student, each ended after 30 s and 10 s a picture */
+ * cost           one process of the renderer a student, each ended after 30 s and 10 s a picture, of CPU time */
 int report_pictures(const char *out, const char *renderer_path, struct error *err) MUST_CHECK;
 
 /* The reason why the last report_pictures of this folder left pictures undrawn, in English, into

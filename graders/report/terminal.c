@@ -2,6 +2,7 @@
 #include "graders/report/terminal.h"
 
 #include "graders/report/clean.h"
+#include "graders/report/diagnostics.h"
 #include "graders/report/results.h"
 #include "graders/report/terminal_text.h"
 #include "reference/base/plural.h"
@@ -50,16 +51,6 @@ static struct phrase class_title(const json_t *result, const char *name)
     return (struct phrase){name, name};
 }
 
-/* The line of the compiler that says what is wrong: the first with "error", else the first. */
-static void first_diagnostic(const char *diagnostics, char *line, size_t capacity)
-{
-    const char *from = strstr(diagnostics, "error");
-    from = from ? from : diagnostics;
-    while (from > diagnostics && from[-1] != '\n')
-        from--;
-    snprintf(line, capacity, "%.*s", (int)strcspn(from, "\n"), from);
-}
-
 static void put_where(FILE *to, const json_t *result, const struct terminal_style *style)
 {
     const json_t *one = telling_case(result);
@@ -71,8 +62,8 @@ static void put_where(FILE *to, const json_t *result, const struct terminal_styl
                  style->spanish ? "caso" : "case", result_text(one, "name"),
                  words_choose(class_title(result, result_text(one, "class")), style->spanish));
     else if (strcmp(result_text(result, "verdict"), "compile-error") == 0)
-        first_diagnostic(result_text(json_object_get(result, "build"), "diagnostics"), place,
-                         sizeof place);
+        diagnostics_telling_line(result_text(json_object_get(result, "build"), "diagnostics"),
+                                 place, sizeof place);
     else
         snprintf(place, sizeof place, "%s",
                  words_choose(check ? words_in(check, "title") : words_in(result, "title"),

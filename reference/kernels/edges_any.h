@@ -2,7 +2,8 @@
  *
  * Output   pairs of int32_t (i, j), i < j, each edge once: by i; among equal i in the order of
  *          the triangles that use them first; in one triangle the smaller j first. A side that
- *          joins a vertex to itself is no edge.
+ *          joins a vertex to itself is no edge, the other sides of its triangle are ("of the
+ *          table" in reference/mesh/edges.h).
  * Scratch  rows of 65 bytes a vertex, and room for high valences that is seldom touched. A
  *          large scattered mesh uses the rows of a thousand vertices at a time, and the output
  *          as work space before it is one.

@@ -1,7 +1,15 @@
 /* The edges of a mesh, each once, with the triangles that use it: what every topology check reads.
  *
- * An edge is an unordered pair of different vertices. Degenerate triangles (two corners the same
- * vertex) have no sides here: degenerate_triangles (check.h) finds them. */
+ * An edge is an unordered pair of different vertices. What the edges of a degenerate triangle are
+ * (two corners the same vertex) has two answers, because there are two questions:
+ *
+ *     of the surface   here, check.h, representation/, Euler numbers: it covers nothing, so it is
+ * no face and has no sides; degenerate_triangles (check.h) finds it of the table
+ * kernels/edges_any.h, the exercise edge-table-any: every pair of different vertices that follow
+ * each other in a triangle as it is listed; (a,a,b) has {a,b}, (a,a,a) has none
+ *
+ * They differ only in edges that no other triangle has: (0,1,2) and (3,4,4) have 3 of the surface
+ * and 4 of the table. A triangle that is listed twice adds no edge in either. */
 #ifndef REFERENCE_MESH_EDGES_H
 #define REFERENCE_MESH_EDGES_H
 

@@ -18,8 +18,8 @@
  * (but face_vertices gives the face's own).
  *
  * An edge is a pair of different vertices that follow each other in a face; a side is an
- * edge as one face runs through it. A degenerate face (two corners the same vertex) has no sides. A
- * boundary edge has one side.
+ * edge as one face runs through it. A degenerate face (two corners the same vertex) has no sides
+ * ("of the surface" in reference/mesh/edges.h). A boundary edge has one side.
  *
  * Where a structure lacks the link that a query wants, the query is done by search, as the course
  * does it, and `cost` says so. Operations return what stands with them; those with an `err` return

@@ -30,6 +30,37 @@ else
     skip "and while a class is graded, where nothing is lost" "inject.so was not built"
 fi
 
+# -- what a whole exercise needs
+mkdir -p "$scratch/two/ana" "$scratch/two/bruno"
+cp "$answer" "$scratch/two/ana/euler-closed-mesh.c"
+cp "$answer" "$scratch/two/bruno/euler-closed-mesh.c"
+cp "$submissions/edges/edge-table-closed/right/two-passes.c" "$scratch/two/ana/edge-table-closed.c"
+if [ -f "$BUILD/tests/faults/inject.so" ]; then
+    LD_PRELOAD=$BUILD/tests/faults/inject.so INJECT=memfd:1 "$meshgrade" grade "$scratch/two" -o "$scratch/once" --seed 1 --no-pictures >"$scratch/out" 2>"$scratch/err"
+    ok "a yardstick that fails once is made again" [ $? -eq 0 ]
+else
+    skip "a yardstick that fails once is made again" "inject.so was not built"
+fi
+mkdir -p "$scratch/tree/build"
+cp -r exercises graders reference "$scratch/tree"
+cp -rL build/runner "$scratch/tree/build/runner"
+cp -L "$meshgrade" "$scratch/tree/build/meshgrade"
+echo 'no C' >"$scratch/tree/reference/answers/topology/euler-closed-mesh.c"
+"$scratch/tree/build/meshgrade" grade "$scratch/two" -o "$scratch/never" --seed 1 --no-pictures >"$scratch/out" 2>"$scratch/err"
+ok "one that cannot be made is a fault" [ $? -eq 2 ]
+ok "of each answer to its exercise, without a mark, and of no other answer" python3 -c '
+import json, sys
+def result(student, exercise):
+    return json.load(open(f"{sys.argv[1]}/results/{student}/{exercise}.json"))
+for student in "ana", "bruno":
+    r = result(student, "euler-closed-mesh")
+    assert r["verdict"] == "fault" and r["score"] is None, (student, r["verdict"], r["score"])
+    assert "euler-closed-mesh" in r["summary"]["en"], r["summary"]
+r = result("ana", "edge-table-closed")
+assert r["verdict"] == "passed", r["verdict"]' "$scratch/never"
+"$meshgrade" grade "$scratch/two" -o "$scratch/never" --seed 1 --no-pictures >"$scratch/out" 2>"$scratch/err"
+ok "which the next run grades, once the cause is gone" [ $? -eq 0 ]
+
 # -- the output
 check "$answer" >/dev/full 2>"$scratch/err"
 ok "a result that cannot be written is a fault" [ $? -eq 2 ]
@@ -37,8 +68,12 @@ ok "a result that cannot be written is a fault" [ $? -eq 2 ]
 ok "also as text" [ $? -eq 2 ]
 ok "which says so" matches "$scratch/err" 'could not be written'
 
-# -- a crash of the grader itself (grading takes half a second of CPU time at least)
-timeout --foreground --preserve-status -s SEGV 0.1 "$meshgrade" check euler-closed-mesh --all "$answer" >"$scratch/out" 2>"$scratch/err"
+# -- a crash of the grader itself, as soon as it catches SIGSEGV (bit 10 of its mask)
+"$meshgrade" check euler-closed-mesh --all "$answer" >"$scratch/out" 2>"$scratch/err" &
+pid=$!
+until [ "$(cat /proc/$pid/comm)" = meshgrade ] && grep -q '^SigCgt:.*[4-7c-f]..$' /proc/$pid/status; do :; done 2>/dev/null
+kill -SEGV $pid
+wait $pid
 ok "a crash of the grader is a fault" [ $? -eq 2 ]
 ok "which says so" matches "$scratch/err" '^meshgrade: .*crashed'
 

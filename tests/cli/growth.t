@@ -33,5 +33,20 @@ text = check["message"]
 text = text["en"] if isinstance(text, dict) else text
 size = re.search(r"of size (\d+): .*stopped the program", text)
 assert size and int(size[1]) > 9000, text
+assert "differ from run to run" not in text, text
+P
+
+# -- a program whose counts need not repeat
+{
+    cat "$submissions/topology/euler-closed-mesh/right/by-faces.c"
+    echo '#include <time.h>'
+    echo '__attribute__((used)) static long now(void) { return (long)time(NULL); }'
+} >"$scratch/clock.c"
+"$meshgrade" check euler-closed-mesh "$scratch/clock.c" --json >"$scratch/clock.json"
+ok "a program that asks for the time is told that its counts may differ, in both languages" python3 - "$scratch/clock.json" <<'P'
+import json, sys
+checks = {c["name"]: c["message"] for c in json.load(open(sys.argv[1]))["checks"]}
+assert "calls time" in checks["growth"]["en"] and "differ from run to run" in checks["growth"]["en"], checks["growth"]
+assert "llama a time" in checks["growth"]["es"], checks["growth"]
 P
 done_testing

@@ -89,7 +89,8 @@ static bool build_trial(struct representation_trial *trial)
     return false;
 }
 
-bool trial_init(struct representation_trial *trial, const struct representation *kind, int i)
+bool representation_trial_init(struct representation_trial *trial,
+                               const struct representation *kind, int i)
 {
     *trial = (struct representation_trial){.kind = kind, .mesh = corpus_mesh(i)};
     current_kind = kind->name;
@@ -109,7 +110,7 @@ bool trial_init(struct representation_trial *trial, const struct representation 
     return true;
 }
 
-void trial_release(struct representation_trial *trial)
+void representation_trial_release(struct representation_trial *trial)
 {
     representation_delete(trial->kind, trial->self);
     oracle_release(&trial->oracle);
@@ -124,9 +125,9 @@ void for_each_trial(int random_count, void (*test)(struct representation_trial *
     for (int kind = 0; representation_table[kind]; kind++)
         for (int i = 0; i < CORPUS_GENERATED + random_count; i++) {
             struct representation_trial trial;
-            if (!trial_init(&trial, representation_table[kind], i))
+            if (!representation_trial_init(&trial, representation_table[kind], i))
                 continue;
             test(&trial);
-            trial_release(&trial);
+            representation_trial_release(&trial);
         }
 }

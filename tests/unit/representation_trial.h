@@ -18,8 +18,9 @@ struct representation_trial {
 
 /* Mesh i of the corpus (mesh_corpus.h) in that representation. Returns false, with nothing to
  * release, when the mesh has what the kind does not hold; whatever else happens fails the test. */
-bool trial_init(struct representation_trial *trial, const struct representation *kind, int i);
-void trial_release(struct representation_trial *trial);
+bool representation_trial_init(struct representation_trial *trial,
+                               const struct representation *kind, int i);
+void representation_trial_release(struct representation_trial *trial);
 
 /* Calls `test` with a trial for each mesh of the corpus, `random_count` random ones included, in
  * each representation that holds it. Names what it was at when the test fails. */

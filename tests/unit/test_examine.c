@@ -14,18 +14,16 @@
 
 #include <cmocka.h>
 
-static int accept_all(struct span input, struct span answer, const struct usage *usage,
-                      struct judgement *judgement, struct error *err)
+static int accept_all(const struct task *task, struct judgement *judgement, struct error *err)
 {
-    (void)input, (void)answer, (void)usage, (void)err;
+    (void)task, (void)err;
     judgement->accepted = true;
     return 0;
 }
 
-static int die(struct span input, struct span answer, const struct usage *usage,
-               struct judgement *judgement, struct error *err)
+static int die(const struct task *task, struct judgement *judgement, struct error *err)
 {
-    (void)input, (void)answer, (void)usage, (void)judgement, (void)err;
+    (void)task, (void)judgement, (void)err;
     raise(SIGKILL);
     return 0;
 }
@@ -45,19 +43,17 @@ static int find_message(void)
 }
 
 /* Says everything, a scene too, and then ends as one does that failed. */
-static int say_and_fail(struct span input, struct span answer, const struct usage *usage,
-                        struct judgement *judgement, struct error *err)
+static int say_and_fail(const struct task *task, struct judgement *judgement, struct error *err)
 {
     static const char nothing[sizeof *judgement + sizeof *err], scene[] = "{\"kind\": \"mesh\"}";
     int file = find_message();
-    (void)input, (void)answer, (void)usage;
+    (void)task;
     bool said = write(file, nothing, sizeof nothing) == (ssize_t)sizeof nothing &&
                 write(file, scene, sizeof scene - 1) == (ssize_t)sizeof scene - 1;
     _exit(said ? 1 : 0);
 }
 
-static int ask(int (*judge)(struct span, struct span, const struct usage *, struct judgement *,
-                            struct error *),
+static int ask(int (*judge)(const struct task *, struct judgement *, struct error *),
                struct examination *examination, struct error *err)
 {
     const struct judge asked = {.exercise = "test", .judge = judge};

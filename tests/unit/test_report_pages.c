@@ -221,7 +221,7 @@ static void test_the_reason_for_missing_pictures_is_on_the_pages(void **state)
     assert_int_equal(report_pictures(out, NULL, NULL), 0);
     make_pages(out);
     char *text = sample_read(out, "index.html");
-    assert_non_null(strstr(text, "Pictures were not drawn: "));
+    assert_non_null(strstr(text, " pictures of this class are missing: "));
     assert_non_null(strstr(text, "meshgrade-render is not there"));
     free(text);
     sample_remove(out);

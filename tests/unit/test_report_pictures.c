@@ -158,19 +158,68 @@ static void test_failures_of_the_renderer_are_told(void **state)
     fail_with("#!/bin/sh\nexit 0\n", "left some out");
 }
 
-static void test_a_hanging_renderer_is_stopped(void **state)
+/* Runs `script` as the renderer; it must be stopped for that reason. */
+static void stop_it(const char *script, struct renderer_limits limits, const char *why)
 {
-    (void)state;
     char out[64];
     char renderer[100];
     struct phrase reason = {NULL, NULL};
     sample_copy(out);
-    write_script(out, "#!/bin/sh\nexec sleep 1000\n", renderer);
-    assert_int_equal(renderer_run(renderer, "job.json", 100, &reason), RENDERER_FAILED);
-    assert_non_null(strstr(reason.en, "did not end in time"));
-    assert_int_equal(renderer_limit_ms(0), 30000);
-    assert_int_equal(renderer_limit_ms(3), 60000);
-    assert_true(renderer_limit_ms(SIZE_MAX) > 0);
+    write_script(out, script, renderer);
+    assert_int_equal(renderer_run(renderer, "job.json", limits, &reason), RENDERER_FAILED);
+    assert_non_null(strstr(reason.en, why));
+    sample_remove(out);
+}
+
+static void test_a_renderer_is_stopped_by_its_cpu_time(void **state)
+{
+    (void)state;
+    stop_it("#!/bin/sh\nwhile :; do :; done\n", (struct renderer_limits){1, 1000000}, "CPU time");
+    assert_int_equal(renderer_limits(0).cpu_seconds, 30);
+    assert_int_equal(renderer_limits(3).cpu_seconds, 60);
+    assert_true(renderer_limits(SIZE_MAX).cpu_seconds > 0);
+}
+
+static void test_a_renderer_that_stands_still_is_stopped(void **state)
+{
+    (void)state;
+    stop_it("#!/bin/sh\nexec sleep 1000\n", (struct renderer_limits){1000, 300}, "stood still");
+}
+
+/* It breaks off after the first picture of each student. */
+static const char breaking_script[] =
+    "#!/bin/sh\n"
+    "cd \"$(dirname \"$1\")\" || exit 2\n"
+    "out=$(grep -o '\"out\":\"[^\"]*\"' \"$(basename \"$1\")\" | head -n 1 | cut -d'\"' -f4)\n"
+    "echo picture >\"$out\"\n"
+    "kill -KILL $$\n";
+
+static long long undrawn_of(const char *out)
+{
+    char *text = sample_read(out, "pictures/status.json");
+    const char *at = strstr(text, "\"undrawn\":");
+    long long undrawn = at ? atoll(at + strlen("\"undrawn\":")) : -1;
+    free(text);
+    return undrawn;
+}
+
+static void test_the_next_report_draws_the_rest(void **state)
+{
+    (void)state;
+    char out[64];
+    char renderer[100];
+    sample_copy(out);
+    write_script(out, breaking_script, renderer);
+    int first = draw(out, renderer);
+    long long missing = undrawn_of(out);
+    assert_true(first > 0);
+    assert_true(missing > 0);
+    assert_reason(out, "crashed");
+    write_script(out, drawing_script, renderer);
+    int rest = draw(out, renderer);
+    assert_true(undrawn_of(out) < missing); /* that script leaves out the voxels */
+    assert_true(rest >= missing - undrawn_of(out));
+    assert_reason(out, "left some out");
     sample_remove(out);
 }
 
@@ -181,7 +230,9 @@ int main(void)
         cmocka_unit_test(test_a_newer_scene_is_drawn_again),
         cmocka_unit_test(test_no_renderer_is_no_fault),
         cmocka_unit_test(test_failures_of_the_renderer_are_told),
-        cmocka_unit_test(test_a_hanging_renderer_is_stopped),
+        cmocka_unit_test(test_a_renderer_is_stopped_by_its_cpu_time),
+        cmocka_unit_test(test_a_renderer_that_stands_still_is_stopped),
+        cmocka_unit_test(test_the_next_report_draws_the_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

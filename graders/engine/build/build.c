@@ -299,6 +299,19 @@ static int check_policy(struct build *build, const struct source *sources, int c
     return 0;
 }
 
+/* What tells the time or draws from chance: with it the same answer may cost another count each
+ * time. */
+static void note_chance(struct build *build, const struct screen *screen)
+{
+    static const char *const functions[] = {
+        "arc4random", "clock",        "clock_gettime", "getentropy", "getpid",      "getrandom",
+        "getrusage",  "gettimeofday", "time",          "times",      "timespec_get"};
+    for (int i = 0; i < screen->undefined_count; i++)
+        for (size_t f = 0; f < sizeof functions / sizeof *functions; f++)
+            if (!build->chance[0] && strcmp(screen->undefined[i], functions[f]) == 0)
+                snprintf(build->chance, sizeof build->chance, "%s", functions[f]);
+}
+
 static int screen_one(const struct exercise *exercise, const char *name, bool sanitized,
                       struct build *build, struct error *err)
 {
@@ -315,8 +328,10 @@ static int screen_one(const struct exercise *exercise, const char *name, bool sa
     int result = screen_object(object, object_bytes, &rules, &screen, err);
     if (result == 0) {
         build->refusal = screen.refusal;
-        if (!sanitized)
+        if (!sanitized) {
             build->static_bytes = screen.static_bytes;
+            note_chance(build, &screen);
+        }
         screen_release(&screen);
     }
     free(object);

@@ -41,11 +41,13 @@ struct build {
     char folder[PATH_MAX];               /* work folder of this build; holds the programs */
     int program_fd[PROGRAM_COUNT];       /* open for reading; -1 when refused or not wanted */
     int64_t static_bytes;                /* .data and .bss of the submission */
-    uint32_t active_layers;              /* of the build box */
+    char chance[24];        /* a function it calls whose answer differs from run to run:
+                               the time, random bytes; empty: none is known */
+    uint32_t active_layers; /* of the build box */
 };
 
-/* Nothing built: what build_release may be given before anything was. All zero is something else: it
- * would own descriptor 0. */
+/* Nothing built: what build_release may be given before anything was. All zero is something else:
+ * it would own descriptor 0. */
 void build_clear(struct build *build);
 
 /* Builds. Returns 0 (look at build->refusal: a submission that does not compile is no error of

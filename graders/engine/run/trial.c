@@ -81,6 +81,22 @@ static void set_not_reached(struct trial *trial)
                   "No se examinó, porque falló algo anterior.");
 }
 
+/* Counts repeat as long as the program does the same again. Where it may not, the report says so: a
+ * mark near a limit may then differ from one grading to the next. */
+static void tell_chance(struct trial *trial)
+{
+    static const enum check_kind counted[] = {CHECK_GROWTH, CHECK_WORK};
+    const char *function = trial->build.chance;
+    for (size_t i = 0; function[0] && i < sizeof counted / sizeof *counted; i++)
+        if (trial->checks[counted[i]].verdict != VERDICT_NOT_REACHED)
+            message_add(&trial->checks[counted[i]].message,
+                        " The program calls %s, so it may do something else in every run and these "
+                        "counts may differ from run to run.",
+                        " El programa llama a %s, así que puede hacer algo distinto en cada "
+                        "ejecución y estas cuentas pueden variar de una a otra.",
+                        function);
+}
+
 static int run_checks(struct trial *trial, struct error *err)
 {
     const struct exercise *exercise = trial->yardstick->exercise;
@@ -98,6 +114,7 @@ static int run_checks(struct trial *trial, struct error *err)
     if (exercise->checked[CHECK_GROWTH] && trial_check_growth(trial, err) != 0)
         return -1;
     charge(trial, STAGE_GROWTH, &since_ns);
+    tell_chance(trial);
     return 0;
 }
 

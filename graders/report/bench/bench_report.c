@@ -68,7 +68,7 @@ static int draw(const char *folder, const char *renderer, json_t *pictures, stru
     if (!renderer || access(renderer, X_OK) != 0)
         *reason = renderer_absent_reason();
     else
-        renderer_run(renderer, path, renderer_limit_ms(count), reason);
+        renderer_run(renderer, path, renderer_limits(count), reason);
     unlink(path);
     return 0;
 }
