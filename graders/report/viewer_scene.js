@@ -334,8 +334,8 @@
       const numbers = floats_of(scene.values.numbers), of_vertices = scene.values.of === "vertex";
       return (i) => scale_colour(numbers[of_vertices ? triangles[i] : Math.floor(i / 3)], scene.values);
     }
-    if (!scene.groups) return null;
-    const groups = bytes_of(scene.groups), plain = new THREE.Color(front_colour);
+    if (!scene.parts) return null;
+    const groups = bytes_of(scene.parts), plain = new THREE.Color(front_colour);
     return function (i) {
       const turn = colours["turn-" + groups[Math.floor(i / 3)]];
       return turn === undefined ? plain : plain.clone().lerp(new THREE.Color(turn), 0.72);
@@ -390,7 +390,7 @@
       const wire = scene.polygons ? outlines_of(positions, scene.polygons) : edges_of(positions, triangles);
       add_edges(group, wire, wire_opacity(wire, area_of(positions, triangles)));
     }
-    add_marks(group, scene.marks, positions, lines, Boolean(scene.values || scene.groups));
+    add_marks(group, scene.marks, positions, lines, Boolean(scene.values || scene.parts));
     if (scene.vectors) add_vectors(group, scene, positions, lines);
     add_numbers(group, scene, positions);
   }

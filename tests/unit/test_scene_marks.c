@@ -443,7 +443,7 @@ static void parts_and_vectors_are_written(void **state)
         assert_int_equal(scene_add_vectors(&scene, MARK_RIGHT, vectors, NULL), 0);
     assert_int_equal(scene_add_vectors(&scene, MARK_RIGHT, vectors, NULL), -1);
     json_t *json = scene_to_json(&scene);
-    assert_string_equal(text_of(json, "groups"), "AQEB/w==");
+    assert_string_equal(text_of(json, "parts"), "AQEB/w==");
     const json_t *sets = json_object_get(json, "vectors");
     assert_int_equal(json_array_size(sets), SCENE_VECTORS_LIMIT);
     assert_string_equal(text_of(json_array_get(sets, 1), "kind"), "right");
