@@ -114,7 +114,7 @@ static json_t *labels_to_json(const struct scene *scene)
 static json_t *faces_to_json(const struct scene_faces *faces)
 {
     size_t count = (size_t)faces->count, corners = (size_t)faces->first_corner[faces->count];
-    int32_t *sizes = malloc((count + 1) * sizeof *sizes);
+    int32_t *sizes = calloc(count + 1, sizeof *sizes);
     if (!sizes)
         return NULL;
     for (size_t f = 0; f < count; f++)
