@@ -232,9 +232,9 @@ void read_mesh_parts(const json_t *json, scene &out)
     read_labels(json, out);
     if (json_object_get(json, "values"))
         read_values(json, out);
-    out.has_groups = json_object_get(json, "groups");
+    out.has_groups = json_object_get(json, "parts");
     if (out.has_groups)
-        out.groups = bytes_at(json, "groups", out.mesh.triangles.size());
+        out.groups = bytes_at(json, "parts", out.mesh.triangles.size());
     read_vectors(json, out);
 }
 

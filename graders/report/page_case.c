@@ -68,7 +68,7 @@ static void write_turns(struct html *page, const json_t *scene)
             others += count;
     }
     json_int_t all = json_integer_value(json_object_get(scene, "turn_count"));
-    if (others > 0 || json_object_get(scene, "groups"))
+    if (others > 0 || json_object_get(scene, "parts"))
         write_legend_entry(page, "turns", mark_name(scene, "turns", parts), all ? all : others);
 }
 

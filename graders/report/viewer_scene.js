@@ -207,15 +207,17 @@
     const count = positions.length / 3;
     const box = new THREE.Box3().setFromArray(positions);
     const size = 0.03 * box.getSize(new THREE.Vector3()).length(); /* of a head */
-    for (let mark of marks || []) {
+    for (const mark of marks || []) {
       if (!(mark.kind in colours) || mark.vertex.some((v) => !(v >= 0 && v < count))) continue;
       const solid = mark.kind.startsWith("turn") && (mark.element === "face" || mark.element === "triangle" || mark.element === "half-edge");
       const key = mark.kind + (solid ? " solid" : "");
-      if (mark.kind === "wrong" && has_colours && mark.vertex.length >= 3 && mark.element !== "half-edge") mark = { kind: mark.kind, element: "loop", vertex: mark.vertex };
+      const is_outline = has_colours && (mark.element === "face" || mark.element === "triangle"); /* the colours under it must be seen */
       const batch = batches[key] = batches[key] || { vertices: [], segments: [], heads: [], triangles: [] };
       const corners = (list) => [].concat(...list.map((v) => point(positions, v)));
       if (mark.element === "vertex" || (mark.element === "edge" && mark.vertex[0] === mark.vertex[1]))
         batch.vertices.push(...point(positions, mark.vertex[0]));
+      else if (is_outline)
+        mark.vertex.forEach((v, i) => batch.segments.push(...corners([v, mark.vertex[(i + 1) % mark.vertex.length]])));
       else if (mark.element === "edge") batch.segments.push(...corners(mark.vertex));
       else if (mark.element === "triangle") batch.triangles.push(...corners(mark.vertex));
       else if (mark.element === "face") batch.triangles.push(...corners(mark.fill || mark.vertex));
@@ -334,8 +336,8 @@
       const numbers = floats_of(scene.values.numbers), of_vertices = scene.values.of === "vertex";
       return (i) => scale_colour(numbers[of_vertices ? triangles[i] : Math.floor(i / 3)], scene.values);
     }
-    if (!scene.groups) return null;
-    const groups = bytes_of(scene.groups), plain = new THREE.Color(front_colour);
+    if (!scene.parts) return null;
+    const groups = bytes_of(scene.parts), plain = new THREE.Color(front_colour);
     return function (i) {
       const turn = colours["turn-" + groups[Math.floor(i / 3)]];
       return turn === undefined ? plain : plain.clone().lerp(new THREE.Color(turn), 0.72);
@@ -390,7 +392,7 @@
       const wire = scene.polygons ? outlines_of(positions, scene.polygons) : edges_of(positions, triangles);
       add_edges(group, wire, wire_opacity(wire, area_of(positions, triangles)));
     }
-    add_marks(group, scene.marks, positions, lines, Boolean(scene.values || scene.groups));
+    add_marks(group, scene.marks, positions, lines, Boolean(scene.values || scene.parts));
     if (scene.vectors) add_vectors(group, scene, positions, lines);
     add_numbers(group, scene, positions);
   }

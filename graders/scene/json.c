@@ -114,7 +114,7 @@ static json_t *labels_to_json(const struct scene *scene)
 static json_t *faces_to_json(const struct scene_faces *faces)
 {
     size_t count = (size_t)faces->count, corners = (size_t)faces->first_corner[faces->count];
-    int32_t *sizes = malloc((count + 1) * sizeof *sizes);
+    int32_t *sizes = calloc(count + 1, sizeof *sizes);
     if (!sizes)
         return NULL;
     for (size_t f = 0; f < count; f++)
@@ -139,7 +139,7 @@ static json_t *both_to_json(const struct scene_text *text)
     return json_pack("{s:o, s:o}", "en", text_to_json(text->en), "es", text_to_json(text->es));
 }
 
-/* Adds "values" and "groups". */
+/* Adds "values" and "parts". */
 static int add_values(json_t *json, const struct scene *shown)
 {
     const struct scene_values *values = &shown->values;
@@ -156,7 +156,7 @@ static int add_values(json_t *json, const struct scene *shown)
     }
     if (shown->groups)
         failed |= json_object_set_new(
-            json, "groups", json_base64(shown->groups, (size_t)shown->mesh.triangle_count));
+            json, "parts", json_base64(shown->groups, (size_t)shown->mesh.triangle_count));
     return failed;
 }
 

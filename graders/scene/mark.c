@@ -147,14 +147,17 @@ void scene_mark_face(struct scene *scene, enum mark_kind kind, const int32_t *co
 static void add_label(struct scene *scene, enum element_kind element, const int32_t *vertices,
                       int64_t count, int64_t number)
 {
-    struct label label = {.at = {.element = element}, .number = number};
     if (scene->label_count == SCENE_LABEL_LIMIT || !vertices || count < 1 ||
         count > SCENE_PATH_LIMIT || !all_named(vertices, count))
         return;
     if (!scene->labels)
         scene->labels = calloc(SCENE_LABEL_LIMIT, sizeof *scene->labels);
-    if (scene->labels && copy_vertices(scene, &label.at, vertices, count, 0))
-        scene->labels[scene->label_count++] = label;
+    if (!scene->labels)
+        return;
+    struct label *label = &scene->labels[scene->label_count];
+    *label = (struct label){.at = {.element = element}, .number = number};
+    if (copy_vertices(scene, &label->at, vertices, count, 0))
+        scene->label_count++;
 }
 
 void scene_label_vertex(struct scene *scene, int32_t vertex, int64_t number)

@@ -159,7 +159,8 @@ static int copy_faces(struct scene_faces *to, const int32_t *first_corner, const
     to->corners = malloc((all + 1) * sizeof *corners);
     if (!to->first_corner || !to->corners) {
         scene_faces_release(to);
-        return error_set(err, "out of memory for %d polygons of a scene", face_count);
+        error_set(err, "out of memory for %d polygons of a scene", face_count);
+        return -1;
     }
     if (face_count > 0) {
         memcpy(to->first_corner, first_corner, firsts * sizeof *first_corner);

@@ -113,13 +113,15 @@ int scene_add_vectors(struct scene *scene, enum mark_kind kind, const float *vec
         return -1;
     if (scene->vector_set_count == SCENE_VECTORS_LIMIT)
         return error_set(err, "a scene has at most %d sets of vectors", SCENE_VECTORS_LIMIT);
+    struct scene_vectors *to = &scene->vectors[scene->vector_set_count];
     size_t count = 3 * (size_t)scene->mesh.vertex_count;
-    float *xyz = malloc((count + 1) * sizeof *xyz);
-    if (!xyz)
+    to->kind = kind;
+    to->xyz = malloc((count + 1) * sizeof *to->xyz);
+    if (!to->xyz)
         return error_set(err, "out of memory for the vectors of a scene");
     if (count > 0)
-        memcpy(xyz, vectors, count * sizeof *xyz);
-    scene->vectors[scene->vector_set_count++] = (struct scene_vectors){kind, xyz};
+        memcpy(to->xyz, vectors, count * sizeof *to->xyz);
+    scene->vector_set_count++;
     return 0;
 }
 

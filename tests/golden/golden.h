@@ -14,7 +14,7 @@ struct golden {
     json_t *pictures;
 };
 
-void stop(const char *what);
+_Noreturn void stop(const char *what);
 void must(int result, const struct error *err);
 void write_json(const struct golden *golden, const char *name, const json_t *json);
 /* Adds what the engine adds, writes the scene, notes the picture, and releases the scene. */

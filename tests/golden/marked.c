@@ -164,7 +164,7 @@ static void parts_of_a_sphere(struct golden *golden)
     for (int32_t t = 0; t < mesh.triangle_count; t++) {
         const int32_t *v = mesh.triangles + 3 * (size_t)t;
         const float *p = mesh.positions + 3 * (size_t)v[0];
-        int64_t part = (int64_t)(6 * (atan2(p[1], p[0]) + pi) / (2 * pi));
+        int64_t part = (int64_t)(6 * (atan2((double)p[1], (double)p[0]) + pi) / (2 * pi));
         if (t == 100)
             continue;
         if (p[2] > -.2F)

@@ -45,7 +45,8 @@ static void values_of_polygons(struct golden *golden)
     int32_t first[FACES + 1] = {0}, corners[4 * FACES];
     for (int32_t v = 0; v < ROW * ROW; v++) {
         positions[3 * v] = (float)(v % ROW) + (v == 12 ? .4F : 0);
-        positions[3 * v + 1] = (float)(v / ROW) + (v == 12 ? .3F : 0);
+        int32_t across = v / ROW;
+        positions[3 * v + 1] = (float)across + (v == 12 ? .3F : 0);
         positions[3 * v + 2] = .25F * (float)(v % 3);
     }
     for (int32_t f = 0; f < FACES; f++) {

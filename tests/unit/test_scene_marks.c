@@ -311,6 +311,23 @@ static void bad_polygons_are_refused_and_shown_as_far_as_they_go(void **state)
     scene_release(&scene);
 }
 
+/* A flat sheet of side x side quads. */
+static void make_quads(int32_t side, float *positions, int32_t *first, int32_t *corners)
+{
+    const int32_t row = side + 1;
+    for (int32_t v = 0; v < row * row; v++) {
+        int32_t across = v / row;
+        positions[3 * v] = (float)(v % row);
+        positions[3 * v + 1] = (float)across;
+    }
+    for (int32_t f = 0; f < side * side; f++) {
+        int32_t corner = f / side * row + f % side;
+        const int32_t quad[] = {corner, corner + 1, corner + row + 1, corner + row};
+        memcpy(corners + 4 * (size_t)f, quad, sizeof quad);
+        first[f + 1] = 4 * (f + 1);
+    }
+}
+
 /* A wide sheet of quads is cut to whole quads round the mark, and marks and labels follow. */
 static void big_polygon_meshes_are_cut_to_whole_faces(void **state)
 {
@@ -320,20 +337,11 @@ static void big_polygon_meshes_are_cut_to_whole_faces(void **state)
     int32_t *first = calloc(FACES + 1, sizeof *first);
     int32_t *corners = calloc((size_t)4 * FACES, sizeof *corners);
     assert_true(positions && first && corners);
-    for (int32_t v = 0; v < ROW * ROW; v++) {
-        positions[3 * v] = (float)(v % ROW);
-        positions[3 * v + 1] = (float)(v / ROW);
-    }
-    for (int32_t f = 0; f < FACES; f++) {
-        int32_t corner = f / SIDE * ROW + f % SIDE;
-        const int32_t quad[] = {corner, corner + 1, corner + ROW + 1, corner + ROW};
-        memcpy(corners + 4 * (size_t)f, quad, sizeof quad);
-        first[f + 1] = 4 * (f + 1);
-    }
+    make_quads(SIDE, positions, first, corners);
     struct scene scene = {0}, cut = {0};
     assert_int_equal(scene_set_polygons(&scene, positions, ROW * ROW, first, corners, FACES, NULL),
                      0);
-    const int32_t face = SIDE / 2 * SIDE + SIDE / 2;
+    const int32_t half = SIDE / 2, face = half * SIDE + half;
     scene_mark_face(&scene, MARK_WRONG, corners + 4 * (size_t)face, 4);
     scene_label_face(&scene, corners + 4 * (size_t)face, 4, face);
     scene_label_vertex(&scene, 0, 0);
@@ -366,7 +374,7 @@ static void big_polygon_meshes_are_cut_to_whole_faces(void **state)
     assert_int_equal(cut.kept_mark_count, 2);
     assert_int_equal(cut.label_count, 1); /* vertex 0 is far away */
     const float *corner = cut.mesh.positions + 3 * (size_t)cut.marks[0].list[0];
-    assert_true(corner[0] == SIDE / 2 && corner[1] == SIDE / 2);
+    assert_true(corner[0] == (float)half && corner[1] == (float)half);
     for (int32_t f = 0; f < cut.faces.count; f++) {
         const int32_t *quad = cut.faces.corners + 4 * (size_t)f;
         assert_true(area_of(cut.mesh.positions, quad, 4) == 1);
@@ -443,7 +451,7 @@ static void parts_and_vectors_are_written(void **state)
         assert_int_equal(scene_add_vectors(&scene, MARK_RIGHT, vectors, NULL), 0);
     assert_int_equal(scene_add_vectors(&scene, MARK_RIGHT, vectors, NULL), -1);
     json_t *json = scene_to_json(&scene);
-    assert_string_equal(text_of(json, "groups"), "AQEB/w==");
+    assert_string_equal(text_of(json, "parts"), "AQEB/w==");
     const json_t *sets = json_object_get(json, "vectors");
     assert_int_equal(json_array_size(sets), SCENE_VECTORS_LIMIT);
     assert_string_equal(text_of(json_array_get(sets, 1), "kind"), "right");
