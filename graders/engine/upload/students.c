@@ -218,9 +218,9 @@ static int add_student(struct reading *r, int student, const char *display)
     if (refusal)
         mark_used(r, student);
     for (int e = 0; r->origin->exercises[e] && result == 0; e++)
-        if (claims_has(&node->below, e))
+        if (tree_claims_has(&node->below, e))
             result = add_submission(r, display, student, e, refusal);
-    if (!claims_is_empty(&node->below) || (!refusal && !node->has_source))
+    if (!tree_claims_is_empty(&node->below) || (!refusal && !node->has_source))
         return result;
     struct upload *upload = add_upload(r, display, r->origin->only);
     if (!upload)
@@ -312,25 +312,27 @@ static int find_students(struct reading *r, int node)
     const bool is_class = node == 0 && candidates > 1;
     if (node == 0 && n->file >= 0 && bundle_refuses_all(&r->bundle->files[n->file]))
         return add_named_student(r, node); /* an archive that could not be read */
-    if (node == 0 && r->origin->only >= 0 && r->origin->is_folder && !claims_is_empty(&n->own)) {
+    if (node == 0 && r->origin->only >= 0 && r->origin->is_folder &&
+        !tree_claims_is_empty(&n->own)) {
         struct places named = {.best = -1, .other = -1};
         find_places(r, node, r->origin->only, 0, &named);
         if (named.best >= 0 && named.depth == 0 && !is_class)
             return add_named_student(r, node);
         result = add_loose_files(r);
-    } else if (!claims_is_empty(&n->own) && !is_class) {
+    } else if (!tree_claims_is_empty(&n->own) && !is_class) {
         return add_named_student(r, node);
     }
     if (candidates == 1) {
         const struct tree_node *child = &r->tree.nodes[only_child];
-        bool is_wrapping = claims_is_empty(&child->own) && !claims_is_empty(&child->below);
+        bool is_wrapping =
+            tree_claims_is_empty(&child->own) && !tree_claims_is_empty(&child->below);
         if (result == 0)
             result = is_wrapping ? find_students(r, only_child) : add_named_student(r, only_child);
         return result;
     }
     for (int c = n->first_child; c >= 0 && result == 0; c = r->tree.nodes[c].next)
         if (tree_is_candidate(&r->tree, c))
-            result = claims_is_empty(&r->tree.nodes[c].own) && tree_is_group(&r->tree, c)
+            result = tree_claims_is_empty(&r->tree.nodes[c].own) && tree_is_group(&r->tree, c)
                          ? find_students(r, c)
                          : add_named_student(r, c);
     return result;
