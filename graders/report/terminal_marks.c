@@ -1,5 +1,6 @@
-/* The table of marks on a terminal; see terminal.h. Where the exercises do not fit side by side in
- * 80 columns their names are cut; from eleven exercises on the line is longer than that. */
+/* The table of marks on a terminal; see terminal.h. Exercises that do not fit side by side in 80
+ * columns stand in blocks below each other, each with every student; the last one has the totals.
+ */
 #include "graders/report/clean.h"
 #include "graders/report/results.h"
 #include "graders/report/terminal_text.h"
@@ -8,14 +9,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NAME_COLUMNS = 20, TOTAL_COLUMNS = 8, LEAST_COLUMNS = 5, MOST_COLUMNS = 16 };
+enum {
+    NAME_COLUMNS = 20,
+    TOTAL_COLUMNS = 10,
+    LEAST_COLUMNS = 6, /* "✓ 8.25" */
+    MOST_COLUMNS = 16,
+    NAMED_COLUMNS = 12, /* from here on a column shows its exercise's name */
+    ROOM_COLUMNS = TERMINAL_COLUMNS - NAME_COLUMNS - TOTAL_COLUMNS - 1,
+    BLOCK_MOST = ROOM_COLUMNS / (LEAST_COLUMNS + 1)
+};
 
-static size_t column_width(const struct gradebook *book)
+/* Exercises first ... end - 1 of the gradebook, side by side. */
+struct block {
+    size_t first, end, width;
+    bool has_total;
+};
+
+/* As few blocks as there can be, of about the same number of exercises. */
+static size_t count_blocks(const struct gradebook *book)
 {
-    size_t room = TERMINAL_COLUMNS - NAME_COLUMNS - TOTAL_COLUMNS - 1;
-    size_t width = book->exercise_count ? room / book->exercise_count : room;
-    width = width > 0 ? width - 1 : 0;
-    return width < LEAST_COLUMNS ? LEAST_COLUMNS : width > MOST_COLUMNS ? MOST_COLUMNS : width;
+    size_t blocks = (book->exercise_count + BLOCK_MOST - 1) / BLOCK_MOST;
+    return blocks > 0 ? blocks : 1;
+}
+
+static struct block choose_block(const struct gradebook *book, size_t index)
+{
+    size_t blocks = count_blocks(book);
+    size_t most = (book->exercise_count + blocks - 1) / blocks;
+    size_t width = most > 0 ? ROOM_COLUMNS / most - 1 : 0;
+    return (struct block){.first = book->exercise_count * index / blocks,
+                          .end = book->exercise_count * (index + 1) / blocks,
+                          .width = width > MOST_COLUMNS ? MOST_COLUMNS : width,
+                          .has_total = index + 1 == blocks};
 }
 
 /* "4.5 (a)" as "4.5a": problem numbers stand in narrow columns. */
@@ -29,24 +54,42 @@ static const char *short_problem(const char *problem, char *text, size_t capacit
     return text;
 }
 
-/* The header: problem numbers, which are short, and below them as much of the names as fits. */
-static void put_header(FILE *to, const struct gradebook *book, size_t width, bool spanish)
+/* What stands above a narrow column: the problem's number, or "#3" for the third exercise, which
+ * the key below the table explains. */
+static const char *short_name(const struct gradebook *book, size_t exercise, char *text,
+                              size_t capacity)
 {
-    terminal_cell(to, "", NAME_COLUMNS, false);
-    for (size_t e = 0; e < book->exercise_count; e++) {
-        char problem[32];
-        fputc(' ', to);
-        terminal_cell(to, short_problem(book->exercises[e].problem, problem, sizeof problem), width,
-                      true);
+    if (*short_problem(book->exercises[exercise].problem, text, capacity) == '\0')
+        snprintf(text, capacity, "#%zu", exercise + 1);
+    return text;
+}
+
+/* The header: short names, and where there is room the names below them. */
+static void put_header(FILE *to, const struct gradebook *book, const struct block *block,
+                       bool spanish)
+{
+    const char *student = spanish ? "estudiante" : "student";
+    bool named = block->width >= NAMED_COLUMNS;
+    char text[32];
+    if (named) {
+        terminal_cell(to, "", NAME_COLUMNS, false);
+        for (size_t e = block->first; e < block->end; e++) {
+            fputc(' ', to);
+            terminal_cell(to, short_problem(book->exercises[e].problem, text, sizeof text),
+                          block->width, true);
+        }
+        fputc('\n', to);
     }
-    fputc('\n', to);
-    terminal_cell(to, spanish ? "estudiante" : "student", NAME_COLUMNS, false);
-    for (size_t e = 0; e < book->exercise_count; e++) {
+    terminal_cell(to, student, NAME_COLUMNS, false);
+    for (size_t e = block->first; e < block->end; e++) {
         fputc(' ', to);
-        terminal_cell(to, width >= 12 ? book->exercises[e].name : "", width, true);
+        terminal_cell(to, named ? book->exercises[e].name : short_name(book, e, text, sizeof text),
+                      block->width, true);
     }
-    fputc(' ', to);
-    terminal_cell(to, "total", TOTAL_COLUMNS, true);
+    if (block->has_total) {
+        fputc(' ', to);
+        terminal_cell(to, "total", TOTAL_COLUMNS, true);
+    }
     fputc('\n', to);
 }
 
@@ -66,22 +109,41 @@ static void put_mark(FILE *to, const json_t *result, size_t width,
     terminal_plain(to, style);
 }
 
-static void put_student(FILE *to, const struct gradebook *book, const struct student *student,
-                        size_t width, const struct terminal_style *style)
+static void put_student(FILE *to, const struct student *student, const struct block *block,
+                        const struct terminal_style *style)
 {
     char *name = clean_text(json_string_value(student->name), json_string_length(student->name),
                             CLEAN_LINE, 200);
     char total[64];
     char points[32];
     terminal_cell(to, name ? name : student->folder, NAME_COLUMNS, false);
-    for (size_t e = 0; e < book->exercise_count; e++)
-        put_mark(to, student->results[e], width, style);
-    words_of_points(student->score, points, sizeof points);
-    snprintf(total, sizeof total, "%s%s", points, student->unscored > 0 ? " + ?" : "");
-    fputc(' ', to);
-    terminal_cell(to, total, TOTAL_COLUMNS, true);
+    for (size_t e = block->first; e < block->end; e++)
+        put_mark(to, student->results[e], block->width, style);
+    if (block->has_total) {
+        words_of_points(student->score, points, sizeof points);
+        snprintf(total, sizeof total, "%s%s", points, student->unscored > 0 ? " + ?" : "");
+        fputc(' ', to);
+        terminal_cell(to, total, TOTAL_COLUMNS, true);
+    }
     fputc('\n', to);
     free(name);
+}
+
+/* What the columns "#3" are, as many a line as fit. */
+static void put_names(FILE *to, const struct gradebook *book)
+{
+    size_t column = 0;
+    for (size_t e = 0; e < book->exercise_count; e++) {
+        char text[128];
+        snprintf(text, sizeof text, "#%zu %s", e + 1, book->exercises[e].name);
+        size_t columns = clean_columns(text);
+        if (*book->exercises[e].problem)
+            continue;
+        bool fits = column > 0 && column + 2 + columns <= TERMINAL_COLUMNS;
+        fprintf(to, "%s%s", fits ? "  " : "\n", text);
+        column = columns + (fits ? column + 2 : 0);
+    }
+    fputs(column > 0 ? "\n" : "", to);
 }
 
 static void put_key(FILE *to, const struct gradebook *book, bool spanish)
@@ -90,13 +152,13 @@ static void put_key(FILE *to, const struct gradebook *book, bool spanish)
     words_of_points(book->max_score, points, sizeof points);
     if (spanish)
         fprintf(to,
-                "\nmáximo %s. ✓ nota máxima  ◐ algunos puntos  ✗ ninguno  ! debe mirarlo una "
-                "persona\n– no entregado\n",
+                "\nmáximo %s. ✓ nota máxima  ◐ algunos puntos  ✗ ninguno\n"
+                "! debe mirarlo una persona  – no entregado\n",
                 points);
     else
         fprintf(to,
-                "\nmaximum %s. ✓ full marks  ◐ some points  ✗ none  ! a person must look\n"
-                "– nothing submitted\n",
+                "\nmaximum %s. ✓ full marks  ◐ some points  ✗ none\n"
+                "! a person must look  – nothing submitted\n",
                 points);
 }
 
@@ -109,10 +171,16 @@ void terminal_print_marks(FILE *to, const json_t *results, const struct terminal
         fprintf(to, "%s\n", err.text);
         return;
     }
-    size_t width = column_width(&book);
-    put_header(to, &book, width, style->spanish);
-    for (size_t s = 0; s < book.student_count; s++)
-        put_student(to, &book, &book.students[s], width, style);
+    size_t blocks = count_blocks(&book);
+    for (size_t i = 0; i < blocks; i++) {
+        struct block block = choose_block(&book, i);
+        fputs(i > 0 ? "\n" : "", to);
+        put_header(to, &book, &block, style->spanish);
+        for (size_t s = 0; s < book.student_count; s++)
+            put_student(to, &book.students[s], &block, style);
+    }
+    if (choose_block(&book, 0).width < NAMED_COLUMNS)
+        put_names(to, &book);
     put_key(to, &book, style->spanish);
     gradebook_release(&book);
 }

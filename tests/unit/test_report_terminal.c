@@ -215,6 +215,65 @@ static void test_colour_only_when_asked_for(void **state)
     json_decref(result);
 }
 
+/* Two students who hand in the same result `count` times, as exercises of other names. */
+static json_t *make_class(size_t count, bool has_problems)
+{
+    json_t *all = json_array(), *one = sample_result("s5", "edge-table-any");
+    for (size_t i = 0; i < 2 * count; i++) {
+        json_t *result = json_deep_copy(one);
+        char text[32];
+        json_object_set_new(result, "student", json_string(i % 2 ? "Ana" : "Bruno"));
+        json_object_set_new(result, "student_folder", json_string(i % 2 ? "ana" : "bruno"));
+        snprintf(text, sizeof text, "some-exercise-%02zu", i / 2);
+        json_object_set_new(result, "exercise", json_string(text));
+        snprintf(text, sizeof text, "%zu.%zu (a)", 4 + i / 40, i / 2 % 20 + 1);
+        json_object_set_new(result, "problem", json_string(has_problems ? text : ""));
+        json_object_set_new(result, "score", json_real(8.25));
+        json_object_set_new(result, "verdict", json_string("wrong-answer"));
+        json_array_append_new(all, result);
+    }
+    json_decref(one);
+    return all;
+}
+
+static size_t count_of(const char *text, const char *what)
+{
+    size_t count = 0;
+    for (const char *at = text; (at = strstr(at, what)); at += strlen(what))
+        count++;
+    return count;
+}
+
+static void assert_table(size_t count, bool has_problems, bool spanish)
+{
+    char total[32];
+    json_t *all = make_class(count, has_problems);
+    char *text = print(all, (struct terminal_style){.spanish = spanish});
+    assert_fits(text);
+    assert_int_equal(count_of(text, "◐ 8.25"), 2 * count);
+    size_t blocks = (count + 6) / 7;
+    assert_int_equal(count_of(text, "\nAna  "), blocks);
+    assert_int_equal(count_of(text, " total\n"), 1);
+    snprintf(total, sizeof total, " %.15g\n", 8.25 * (double)count);
+    assert_int_equal(count_of(text, total), 2);
+    for (size_t e = 0; e < count && !has_problems && count > 3; e++) {
+        char name[32];
+        snprintf(name, sizeof name, "#%zu some-exercise-%02zu", e + 1, e);
+        assert_int_equal(count_of(text, name), 1);
+    }
+    free(text);
+    json_decref(all);
+}
+
+static void test_the_table_of_marks_fits_up_to_80_exercises(void **state)
+{
+    (void)state;
+    for (size_t count = 1; count <= 80; count++) {
+        assert_table(count, true, false);
+        assert_table(count, false, true);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -225,6 +284,7 @@ int main(void)
         cmocka_unit_test(test_the_first_sentence_stands_alone),
         cmocka_unit_test(test_every_verdict_fits_and_is_inert),
         cmocka_unit_test(test_colour_only_when_asked_for),
+        cmocka_unit_test(test_the_table_of_marks_fits_up_to_80_exercises),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
