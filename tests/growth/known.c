@@ -158,9 +158,12 @@ static void print_row(const struct trial *trial, const struct base *base, const 
     for (int family = 1; family < trial->yardstick->family_count; family++)
         if (trial->families[family].fit.excess > worst->fit.excess)
             worst = &trial->families[family];
+    int counted = 0;
+    for (int i = 0; i < worst->size_count; i++)
+        counted += worst->costs[i].counted;
     printf("| %s | %s | %s | %s | %s | %.2f | %.2f | %d | %s |\n", trial->yardstick->exercise->name,
            base->name, extra->name, extra->class ? extra->class : base->class, decided,
-           worst->fit.excess, worst->fit.exponent, worst->size_count, remark);
+           worst->fit.excess, worst->fit.exponent, counted, remark);
     fflush(stdout);
 }
 
