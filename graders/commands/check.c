@@ -66,6 +66,19 @@ static void print_times(const int64_t stage_cpu_ns[STAGE_COUNT])
                 (double)stage_cpu_ns[stage] / 1e9);
 }
 
+/* Inputs and the reference's runs, which a class makes once: so that the times of the steps are the
+ * submission's own. */
+static int make_cases(struct yardstick *yardstick, const struct trial_scope *scope,
+                      struct error *err)
+{
+    const struct input *input;
+    for (size_t i = 0; i < yardstick->judge->case_count; i++)
+        if (trial_case_in_scope(&yardstick->judge->cases[i], scope) &&
+            yardstick_case(yardstick, i, &input, err) != 0)
+            return -1;
+    return 0;
+}
+
 static int check(const struct exercise *exercise, const struct upload *upload,
                  const struct request *request, struct outcome *outcome, struct error *err)
 {
@@ -81,6 +94,8 @@ static int check(const struct exercise *exercise, const struct upload *upload,
                                    outcome, err);
     bool uncounted = request->quick || request->only_case;
     int result = yardstick_make(&yardstick, exercise, request->seed, uncounted, err);
+    if (result == 0 && request->times)
+        result = make_cases(&yardstick, &scope, err);
     if (result == 0)
         result = grade_submission(&yardstick, upload, &scope, outcome, err);
     if (result == 0 && request->times)

@@ -163,18 +163,19 @@ void __asan_unpoison_memory_region(const volatile void *at, size_t bytes) __attr
 
 /* Lets the tools see a read behind the end of the input: what lies between there and the guard page
  * is ours, but was never written, or holds a longer input of an earlier call. */
-static void fence_input(size_t input_bytes)
+static void fence_input(size_t start, size_t input_bytes)
 {
 #ifdef RUNNER_WITHOUT_SHIM
-    const unsigned char *end = input_region + input_bytes;
-    size_t rest = fixed.input_capacity - input_bytes;
+    const unsigned char *begin = input_region + start, *end = begin + input_bytes;
+    size_t rest = fixed.input_capacity - start - input_bytes;
     if (__asan_poison_memory_region) {
-        __asan_unpoison_memory_region(input_region, input_bytes);
+        __asan_unpoison_memory_region(begin, input_bytes);
         __asan_poison_memory_region(end, rest);
     }
-    (void)VALGRIND_MAKE_MEM_DEFINED(input_region, input_bytes);
+    (void)VALGRIND_MAKE_MEM_DEFINED(begin, input_bytes);
     (void)VALGRIND_MAKE_MEM_NOACCESS(end, rest);
 #else
+    (void)start;
     (void)input_bytes;
 #endif
 }
@@ -210,13 +211,16 @@ static void ask_memcheck(const struct writer *answer)
 static void do_call(void)
 {
     uint64_t nonce = control->nonce;
+    size_t start = (size_t)control->input_page * INPUT_PAGE_BYTES;
+    if (start > fixed.input_capacity)
+        start = fixed.input_capacity;
     size_t input_bytes = control->input_bytes;
-    if (input_bytes > fixed.input_capacity)
-        input_bytes = fixed.input_capacity;
-    struct reader input = reader_of(input_region, input_bytes);
+    if (input_bytes > fixed.input_capacity - start)
+        input_bytes = fixed.input_capacity - start;
+    struct reader input = reader_of(input_region + start, input_bytes);
     struct writer answer = writer_into(answer_region, fixed.answer_capacity);
     forget_last_call();
-    fence_input(input_bytes);
+    fence_input(start, input_bytes);
     run_call(&input, &answer);
     pass_measurement(MEASURED, NOT_MEASURED);
     fflush(stdout);

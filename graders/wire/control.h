@@ -14,7 +14,7 @@
 /* Descriptors that the runner finds open. */
 enum { CONTROL_FD = 3, INPUT_FD = 4, ANSWER_FD = 5 };
 
-enum { CONTROL_BYTES = 4096 };
+enum { CONTROL_BYTES = 4096, INPUT_PAGE_BYTES = 4096 };
 
 /* How the runner ends when it cannot map its regions, or cannot give up what the student's code
  * must not have. Either comes before it says that it is ready, or was not said by the runner. */
@@ -64,6 +64,7 @@ struct control {
     uint64_t heap_limit_bytes;  /* an allocation beyond this gets NULL */
     int64_t failing_allocation; /* the how-manieth allocation of the call gets NULL; 0: none */
     uint32_t mode;              /* runner_mode flags */
+    uint32_t input_page;        /* the page of the input region at which the input begins */
 
     /* runner to engine, after each call */
     alignas(64) uint64_t echo;

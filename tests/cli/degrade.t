@@ -26,6 +26,17 @@ P
 without /usr/bin/valgrind "$meshgrade" doctor >"$scratch/doctor"
 ok "doctor says what to install" matches "$scratch/doctor" 'apt-get install valgrind'
 
+if [ -x /usr/bin/ld.gold ]; then
+    without "$(readlink -f /usr/bin/ld.gold)" "$meshgrade" check edge-table-any --all --json "$answer" >"$scratch/no-gold.json"
+    ok "without the gold linker the other one serves" python3 - "$scratch/no-gold.json" <<'P'
+import json, sys
+r = json.load(open(sys.argv[1]))
+assert r["verdict"] == "passed" and r["score"] == r["max_score"] and r["build"]["diagnostics"] == ""
+P
+else
+    skip "without the gold linker the other one serves" "there is none"
+fi
+
 mkdir "$scratch/class" "$scratch/class/a"
 cp "$submissions/edges/edge-table-any/wrong/boundary-lost.c" "$scratch/class/a/edge-table-any.c"
 __EGL_VENDOR_LIBRARY_DIRS=/nonexistent "$meshgrade" grade "$scratch/class" -o "$scratch/out" >/dev/null 2>"$scratch/talk"

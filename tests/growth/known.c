@@ -124,20 +124,24 @@ static int false_fails(const struct trial *trial, enum growth_class allowed, str
             int64_t counts[SIZES_MAX];
             struct growth_fit fit;
             struct error ignored;
-            int counted = trial->families[family].size_count;
-            bool all = counted >= yardstick->size_count;
-            counted = all ? yardstick->size_count : counted;
-            for (int s = 0; s < counted; s++) {
+            const struct cost *costs = trial->families[family].costs;
+            int64_t sizes[SIZES_MAX];
+            int counted = 0;
+            for (int s = 0; s < yardstick->size_count; s++) {
                 double normal = sqrt(-2 * log(1 - random_real(random))) *
                                 cos(2 * 3.14159265358979323846 * random_real(random));
-                counts[s] = (int64_t)((double)trial->families[family].costs[s].counts.instructions *
-                                      (1 + VARIATION * normal));
+                if (!costs[s].counted)
+                    continue;
+                sizes[counted] = yardstick->sizes[s];
+                counts[counted++] =
+                    (int64_t)((double)costs[s].counts.instructions * (1 + VARIATION * normal));
             }
-            if (growth_fit(yardstick->sizes, counts, counted, allowed,
+            bool all = counted == yardstick->size_count;
+            if (growth_fit(sizes, counts, counted, allowed,
                            all ? GROWTH_FULL_LOOK : GROWTH_FIRST_LOOK, &fit, &ignored) == 0 &&
                 fit.decision == GROWTH_UNDECIDED)
-                (void)!growth_fit(yardstick->sizes, counts, counted, allowed, GROWTH_LAST_LOOK,
-                                  &fit, &ignored);
+                (void)!growth_fit(sizes, counts, counted, allowed, GROWTH_LAST_LOOK, &fit,
+                                  &ignored);
             failed = failed || fit.decision == GROWTH_FAIL;
         }
         fails += failed;
@@ -154,9 +158,12 @@ static void print_row(const struct trial *trial, const struct base *base, const 
     for (int family = 1; family < trial->yardstick->family_count; family++)
         if (trial->families[family].fit.excess > worst->fit.excess)
             worst = &trial->families[family];
+    int counted = 0;
+    for (int i = 0; i < worst->size_count; i++)
+        counted += worst->costs[i].counted;
     printf("| %s | %s | %s | %s | %s | %.2f | %.2f | %d | %s |\n", trial->yardstick->exercise->name,
            base->name, extra->name, extra->class ? extra->class : base->class, decided,
-           worst->fit.excess, worst->fit.exponent, worst->size_count, remark);
+           worst->fit.excess, worst->fit.exponent, counted, remark);
     fflush(stdout);
 }
 

@@ -20,6 +20,8 @@ static json_t *family_json(const struct trial *trial, int family)
     const struct family_result *found = &trial->families[family];
     json_t *sizes = json_array(), *mine = json_array(), *theirs = json_array();
     for (int i = 0; i < found->size_count; i++) {
+        if (!found->costs[i].counted)
+            continue;
         json_array_append_new(sizes, json_integer(yardstick->sizes[i]));
         json_array_append_new(mine, json_integer(found->costs[i].counts.instructions));
         if (yardstick->costs[family][i].counted)

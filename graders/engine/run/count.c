@@ -12,6 +12,7 @@ static const struct cause no_counts = {"no-counts", {"doubtful counts", "cuentas
 
 enum {
     SIZES_BEFORE_HOPELESS = 4,
+    SIZES_BEFORE_LEAP = 4,
     BESIDE_SLACK = 200000,          /* instructions */
     HOPELESS_RATIO = 50,            /* cost over the reference's ... */
     ALLOCATION_OVERHEAD_BYTES = 64, /* of a block, at most */
@@ -20,6 +21,7 @@ enum {
     RESIDENT_SLACK_BYTES = 1 << 20
 };
 static const double HOPELESS_RISE = 2.83; /* ... while a doubling costs more than n^1.5 would */
+static const double LEAP_RISE = 2.5;      /* sorting has 2.2; more may be n^2, dear at a large n */
 
 static const struct call_limits native_limits = {10000000000LL, 2000000000LL};
 static const struct call_limits counted_limits = {120000000000LL, 10000000000LL};
@@ -39,6 +41,7 @@ struct measuring {
     const struct count_plan *plan;
     enum series_tool tool;
     struct series series;
+    uint32_t family_pages; /* of the input region, for each family */
     struct cost *const *costs;
     struct count_run *run;
 };
@@ -62,6 +65,9 @@ static int start(struct measuring *m, struct error *err)
                 plan.answer_bytes = input->answer_bound;
             plan.call_count++;
         }
+    m->family_pages = (uint32_t)((plan.input_bytes + INPUT_PAGE_BYTES - 1) / INPUT_PAGE_BYTES);
+    int families = sizes->last_family - sizes->first_family + 1;
+    plan.input_bytes = (size_t)families * m->family_pages * INPUT_PAGE_BYTES;
     return series_start(&m->series, &plan, err);
 }
 
@@ -193,15 +199,26 @@ static int blame_dump(const struct series *series, const struct error *why, stru
     return 0;
 }
 
+/* What the last doubling made of the work. */
+static double rise_of(const struct cost *costs, int i)
+{
+    return (double)costs[i].counts.instructions / (double)(costs[i - 1].counts.instructions + 1);
+}
+
 static bool is_hopeless(const struct cost *costs, const struct cost *reference, int i)
 {
-    if (!costs[i].counted || i < SIZES_BEFORE_HOPELESS - 1)
+    if (i < SIZES_BEFORE_HOPELESS - 1 || !costs[i - 1].counted)
         return false;
-    double ratio = (double)callgrind_cost(&costs[i].counts) /
-                   (double)(callgrind_cost(&reference[i].counts) + 1);
-    double rise =
-        (double)costs[i].counts.instructions / (double)(costs[i - 1].counts.instructions + 1);
-    return ratio > HOPELESS_RATIO && rise > HOPELESS_RISE;
+    double ratio =
+        (double)costs[i].counts.instructions / (double)(reference[i].counts.instructions + 1);
+    return ratio > HOPELESS_RATIO && rise_of(costs, i) > HOPELESS_RISE;
+}
+
+static int next_size(const struct measuring *m, const struct cost *costs, int i)
+{
+    bool leaps = m->plan->leaps && i == SIZES_BEFORE_LEAP - 1 && i < m->plan->last &&
+                 rise_of(costs, i) < LEAP_RISE;
+    return leaps ? m->plan->last : i + 1;
 }
 
 /* Whether everything has been well so far, so that the next call makes sense. */
@@ -210,11 +227,15 @@ static bool goes_well(const struct measuring *m)
     return m->series.end == CALL_ANSWERED && m->run->failure.verdict == VERDICT_PASSED;
 }
 
-/* The sizes of one family, in the process that runs. Returns 0, or -1: a fault. */
+/* The sizes of one family, in the process that runs. Its inputs have a place of their own: where
+ * those of the family before stood, the simulated caches would hold them already, and whoever reads
+ * little but the input seem cheap. Returns 0, or -1: a fault. */
 static int measure_family(struct measuring *m, int family, struct error *err)
 {
     struct cost *costs = m->costs[family];
-    for (int i = m->plan->first; i <= m->plan->last && !m->run->hopeless[family]; i++) {
+    m->series.session.input_page = (uint32_t)(family - m->plan->first_family) * m->family_pages;
+    for (int i = m->plan->first; i <= m->plan->last && !m->run->hopeless[family];
+         i = next_size(m, costs, i)) {
         int result = m->tool == SERIES_PLAIN && i == m->plan->last
                          ? measure_hidden(m, family, i, err)
                          : measure_one(m, family, i, err);
@@ -225,7 +246,7 @@ static int measure_family(struct measuring *m, int family, struct error *err)
             read_memory(m, &costs[i]);
         else if (read_counts(m, family, i, &unread) != 0)
             return blame_dump(&m->series, &unread, &m->run->failure, err);
-        m->run->done[family]++;
+        m->run->end[family] = i + 1;
         m->run->hopeless[family] =
             m->plan->stops_early && is_hopeless(costs, m->yardstick->costs[family], i);
     }

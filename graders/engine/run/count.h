@@ -12,14 +12,15 @@
 struct count_plan {
     int first_family, last_family;
     int first, last;
-    bool stops_early;    /* leave out the larger sizes of a family whose cost is far beyond the
-                            reference's and rising; of the sizes, `first` must be 0 */
+    bool leaps;          /* after four sizes go on with `last`, unless the work rises fast */
+    bool stops_early;    /* leave out the larger sizes of a family whose work is far beyond the
+                            reference's and rising; `first` must be 0 */
     bool without_misses; /* count instructions alone: half the time */
 };
 
 /* How measuring ended. */
 struct count_run {
-    int done[FAMILIES_MAX];      /* sizes measured of each family, from `first` on */
+    int end[FAMILIES_MAX];       /* the largest size of each family that was measured, and 1 */
     bool hopeless[FAMILIES_MAX]; /* stopped early */
     int64_t hidden_bytes; /* resident growth of the largest call that no claim explains; 0: none */
     int family, size_index; /* of the last call */

@@ -75,7 +75,8 @@ static int count_sizes(struct trial *trial, const struct count_plan *plan, bool 
         costs[family] = trial->families[family].costs;
     int result = count_work(trial->yardstick, &trial->build, plan, costs, &run, err);
     for (int family = plan->first_family; family <= plan->last_family; family++) {
-        trial->families[family].size_count = plan->first + run.done[family];
+        if (trial->families[family].size_count < run.end[family])
+            trial->families[family].size_count = run.end[family];
         trial->families[family].hopeless = run.hopeless[family];
     }
     *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
@@ -110,15 +111,19 @@ static int fit(struct trial *trial, int family, enum growth_look look, struct er
     const struct exercise *exercise = trial->yardstick->exercise;
     struct family_result *found = &trial->families[family];
     enum growth_class allowed;
-    int64_t counts[SIZES_MAX];
+    int64_t sizes[SIZES_MAX], counts[SIZES_MAX];
+    int count = 0;
     if (growth_class_find(exercise->growth_allowed, &allowed) != 0)
         return error_set(err, "exercise %s: growth: no class \"%s\"", exercise->name,
                          exercise->growth_allowed);
-    for (int i = 0; i < found->size_count; i++)
-        counts[i] = found->costs[i].counts.instructions;
+    for (int i = 0; i < found->size_count; i++) {
+        if (!found->costs[i].counted)
+            continue;
+        sizes[count] = trial->yardstick->sizes[i];
+        counts[count++] = found->costs[i].counts.instructions;
+    }
     found->fitted = true;
-    return growth_fit(trial->yardstick->sizes, counts, found->size_count, allowed, look,
-                      &found->fit, err);
+    return growth_fit(sizes, counts, count, allowed, look, &found->fit, err);
 }
 
 /* "quadratic": a share of the work, behind "is". */
@@ -159,16 +164,26 @@ static void say_growth(struct trial *trial, int family)
                 judge_family_name(yardstick->judge, family), yardstick->exercise->growth_allowed);
 }
 
-/* Counts one family at the sizes up to `last` as well, unless its growth is decided. */
-static int look_closer(struct trial *trial, int family, int last, bool *right, struct error *err)
+/* The first size below `count` at which a family is not counted; `count` when there is none. */
+static int first_gap(const struct family_result *found, int count)
+{
+    int at = 0;
+    while (at < count && found->costs[at].counted)
+        at++;
+    return at;
+}
+
+/* Counts one family at the sizes first ... last as well, unless its growth is decided. */
+static int look_closer(struct trial *trial, int family, int first, int last, bool *right,
+                       struct error *err)
 {
     const struct family_result *found = &trial->families[family];
     struct count_plan plan = {.first_family = family,
                               .last_family = family,
-                              .first = found->size_count,
+                              .first = first,
                               .last = last,
                               .without_misses = true};
-    if (found->fit.decision != GROWTH_UNDECIDED || found->hopeless || plan.first > last)
+    if (!*right || found->fit.decision != GROWTH_UNDECIDED || found->hopeless || first > last)
         return 0;
     if (count_reference(trial->yardstick, &plan, err) != 0 ||
         count_sizes(trial, &plan, right, err) != 0)
@@ -180,12 +195,11 @@ static int judge_growth(struct trial *trial, int family, bool *right, struct err
 {
     const struct yardstick *yardstick = trial->yardstick;
     struct family_result *found = &trial->families[family];
-    bool has_all = found->hopeless || found->size_count == yardstick->size_count;
+    int count = yardstick->size_count, gap = first_gap(found, count);
+    bool has_all = found->hopeless || gap == count;
     if (fit(trial, family, has_all ? GROWTH_FULL_LOOK : GROWTH_FIRST_LOOK, err) != 0 ||
-        look_closer(trial, family, yardstick->size_count - 1, right, err) != 0)
-        return -1;
-    if (*right &&
-        look_closer(trial, family, yardstick->size_count + EXTRA_DOUBLINGS - 1, right, err) != 0)
+        look_closer(trial, family, gap, count - 2, right, err) != 0 ||
+        look_closer(trial, family, count, count + EXTRA_DOUBLINGS - 1, right, err) != 0)
         return -1;
     if (!*right)
         return 0;
@@ -231,8 +245,8 @@ static void find_work_ratios(struct trial *trial, int *family_at_fault)
     const struct yardstick *yardstick = trial->yardstick;
     for (int family = 0; family < yardstick->family_count; family++) {
         int largest = trial->families[family].size_count - 1;
-        if (largest >= yardstick->counted_count)
-            largest = yardstick->counted_count - 1;
+        if (largest >= yardstick->size_count)
+            largest = yardstick->size_count - 1;
         const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
         const struct callgrind_counts *theirs = &yardstick->costs[family][largest].counts;
         double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
@@ -290,10 +304,10 @@ static int judge_work(struct trial *trial, struct error *err)
  * band loses the mark unless the time is within it. */
 static int check_counts(struct trial *trial, struct error *err)
 {
-    int counted = trial->yardstick->counted_count - 1, largest = trial->yardstick->size_count - 1;
+    int largest = trial->yardstick->size_count - 1;
     for (int family = 0; family < trial->yardstick->family_count; family++) {
-        const struct callgrind_counts *mine = &trial->families[family].costs[counted].counts;
-        const struct callgrind_counts *theirs = &trial->yardstick->costs[family][counted].counts;
+        const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
+        const struct callgrind_counts *theirs = &trial->yardstick->costs[family][largest].counts;
         double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
         double bound = TIME_FLOOR + TIME_TO_COUNT * ratio;
         bool denied;
@@ -352,7 +366,8 @@ int trial_check_growth(struct trial *trial, struct error *err)
               "The work grows no faster than %s.", "El trabajo no crece más que %s.",
               exercise->growth_allowed);
     struct count_plan plan = {.last_family = yardstick->family_count - 1,
-                              .last = yardstick->counted_count - 1,
+                              .last = yardstick->size_count - 1,
+                              .leaps = true,
                               .stops_early = true};
     if (yardstick->family_count > 0 && count_sizes(trial, &plan, &right, err) != 0)
         return -1;

@@ -148,7 +148,8 @@ enum call_end series_call(struct series *series, const struct input *input,
                           int64_t failing_allocation, const struct call_limits *limits,
                           struct attempt *attempt)
 {
-    memcpy(series->input.bytes, input->region.bytes, input->bytes);
+    size_t start = (size_t)series->session.input_page * INPUT_PAGE_BYTES;
+    memcpy(series->input.bytes + start, input->region.bytes, input->bytes);
     series->end = session_call(&series->session, input->bytes, failing_allocation, limits);
     attempt->claims = series->session.claims;
     attempt->cpu_ns = series->session.call_cpu_ns;

@@ -31,7 +31,8 @@ struct series_plan {
     const struct yardstick *yardstick;
     const struct build *build;
     enum series_tool tool;
-    size_t input_bytes, answer_bytes; /* capacities: the largest of all calls */
+    size_t input_bytes, answer_bytes; /* capacities: the largest of all calls, or more where
+                                         session.input_page is used */
     int call_count;                   /* SERIES_CALLGRIND, SERIES_INSTRUCTIONS: at most */
     uint32_t mode;                    /* further runner_mode flags */
     int cpu;                          /* pin to it, -1: not */

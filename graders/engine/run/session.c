@@ -229,6 +229,7 @@ enum call_end session_call(struct session *session, size_t input_bytes, int64_t 
     control->nonce = nonce;
     control->echo = 0;
     control->input_bytes = input_bytes;
+    control->input_page = session->input_page;
     control->failing_allocation = failing_allocation;
     session->cpu_start_ns = box_cpu_ns(&session->box);
     atomic_store(&control->call_index, ++session->call_index);

@@ -61,6 +61,7 @@ struct session {
     struct region control_region, answer, output;
     struct control *control;
     uint32_t call_index;
+    uint32_t input_page; /* of the input region, where the next call's input begins; 0 at first */
     bool alive;
     int64_t cpu_start_ns; /* CPU time charged before the present call */
     void (*meanwhile)(void *argument);
@@ -74,8 +75,8 @@ struct session {
 int session_start(struct session *session, const struct session_plan *plan,
                   struct error *err) MUST_CHECK;
 
-/* Calls once with the `input_bytes` first bytes of the input region. The first call begins when the
- * runner is ready; what it needs for that is charged to no call.
+/* Calls once with `input_bytes` bytes of the input region, from session->input_page on. The first
+ * call begins when the runner is ready; what it needs for that is charged to no call.
  *
  * failing_allocation  as struct control; 0: none
  * returns             how it ended. After anything but CALL_ANSWERED the program is dead, and

@@ -12,10 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    EXTRA_DOUBLINGS = 2, /* when the first sizes leave the growth undecided */
-    FIRST_LOOK_SIZES = 6 /* so many are enough to leave the largest out at first */
-};
+enum { EXTRA_DOUBLINGS = 2 /* when the first sizes leave the growth undecided */ };
 static const uint64_t SIZED_SEED = 20260411;
 static const struct call_limits reference_limits = {60000000000LL, 10000000000LL};
 
@@ -172,7 +169,6 @@ static void choose_sizes(struct yardstick *yardstick)
         return;
     yardstick->family_count = judge_family_count(yardstick->judge);
     yardstick->size_count = exercise->growth_doublings + 1;
-    yardstick->counted_count = yardstick->size_count - (yardstick->size_count > FIRST_LOOK_SIZES);
     for (int i = 0; i < yardstick->size_count + EXTRA_DOUBLINGS; i++)
         yardstick->sizes[i] = exercise->growth_first_size << i;
 }
@@ -185,6 +181,18 @@ static int explain_failure(const struct yardstick *yardstick, const struct count
                      run->failure.cause, run->failure.message.en);
 }
 
+static int count_reference(struct yardstick *yardstick, const struct count_plan *plan,
+                           struct cost *const costs[FAMILIES_MAX], struct error *err)
+{
+    struct count_run run;
+    int result = count_work(yardstick, &yardstick->reference, plan, costs, &run, err);
+    if (result == 0 && run.failure.verdict != VERDICT_PASSED)
+        result = explain_failure(yardstick, &run, err);
+    attempt_release(&run.failure);
+    return result;
+}
+
+/* At every size: those that submissions leap over are counted without misses. */
 static int measure_reference(struct yardstick *yardstick, struct error *err)
 {
     struct cost *costs[FAMILIES_MAX];
@@ -203,12 +211,20 @@ static int measure_reference(struct yardstick *yardstick, struct error *err)
     }
     if (result != 0 || last_family < 0 || !yardstick->probes.valgrind)
         return result;
-    struct count_plan plan = {.last_family = last_family, .last = yardstick->counted_count - 1};
-    result = count_work(yardstick, &yardstick->reference, &plan, costs, &run, err);
-    if (result == 0 && run.failure.verdict != VERDICT_PASSED)
-        result = explain_failure(yardstick, &run, err);
-    attempt_release(&run.failure);
-    return result;
+    struct count_plan plan = {
+        .last_family = last_family, .last = yardstick->size_count - 1, .leaps = true};
+    if (count_reference(yardstick, &plan, costs, err) != 0)
+        return -1;
+    int gap = yardstick->size_count;
+    for (int family = 0; family <= last_family; family++)
+        for (int i = 0; i < gap; i++)
+            if (!costs[family][i].counted)
+                gap = i;
+    plan = (struct count_plan){.last_family = last_family,
+                               .first = gap,
+                               .last = yardstick->size_count - 2,
+                               .without_misses = true};
+    return plan.first <= plan.last ? count_reference(yardstick, &plan, costs, err) : 0;
 }
 
 /* -------------------------------------------------------------------- life */

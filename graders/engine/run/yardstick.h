@@ -22,7 +22,7 @@ struct input {
 /* What one call on a sized input cost. */
 struct cost {
     bool counted;
-    struct callgrind_counts counts; /* without misses beyond the sizes that are counted at first */
+    struct callgrind_counts counts; /* without misses at the sizes that are counted only in doubt */
     int64_t beside_instructions;    /* of the process, around the call */
     int64_t heap_peak_bytes;
     int64_t allocation_count;
@@ -53,7 +53,6 @@ struct yardstick {
     struct input *cases;          /* judge->case_count, made when first asked for */
     int64_t *reference_cpu_ns;    /* of each case, 0: not run yet */
     int family_count, size_count; /* 0 when no growth is checked; size_count before extensions */
-    int counted_count;            /* of the sizes, on how many work is counted at first */
     int64_t sizes[SIZES_MAX];     /* size_count, then two doublings more */
     struct input sized[FAMILIES_MAX][SIZES_MAX];
     struct cost costs[FAMILIES_MAX][SIZES_MAX]; /* of the reference */
