@@ -170,11 +170,13 @@ static bool read_offsets(const struct answer_rule *rule, const struct answer_par
                          struct input_sizes sizes, struct reader *reader, struct answer *answer,
                          struct answer_table *table, struct judgement *out)
 {
+    static const int32_t nothing = 0;
+    int64_t offsets = answer->result > 0 ? answer->result + 1 : 0;
     table->row_count = answer->result;
-    table->first =
-        read_rows(reader, answer->result + 1, sizeof *table->first, part->argument, rule, out);
+    table->first = read_rows(reader, offsets, sizeof *table->first, part->argument, rule, out);
     if (!table->first)
         return false;
+    table->first = offsets > 0 ? table->first : &nothing;
     int64_t most = with_spare(room_for(part->most, sizes));
     for (int64_t r = 0; r < table->row_count; r++) {
         int64_t from = table->first[r], to = table->first[r + 1];
