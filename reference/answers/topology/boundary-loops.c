@@ -3,7 +3,7 @@
  * Side (a,b) looks for (b,a) in the list of b. If it is there, both are inside the surface, and it
  * is taken out; if not, (a,b) joins the list of a. What stays is the boundary. At every vertex as
  * many boundary sides arrive as leave, so that a walk that takes each side once can end only where
- * it began. Time O(V + F) for bounded valence, memory 4 V + 12 F bytes beside the two tables. */
+ * it began. Time O(V + F) for bounded valence, memory 4 V + 28 F bytes with the two tables. */
 #include "boundary-loops.h"
 
 #include <stdlib.h>
@@ -21,10 +21,9 @@ static int32_t end_of(const struct lists *lists, int32_t s)
     return lists->triangles[s % 3 == 2 ? s - 2 : s + 1];
 }
 
-/* Returns how many sides are on the boundary. */
-static int32_t list_boundary(struct lists *lists, int32_t side_count)
+/* What is in the lists afterwards is the boundary. */
+static void list_boundary(struct lists *lists, int32_t side_count)
 {
-    int32_t kept = 0;
     for (int32_t s = 0; s < side_count; s++) {
         int32_t begin = lists->triangles[s], end = end_of(lists, s);
         int32_t *twin = &lists->side_of[end];
@@ -32,14 +31,11 @@ static int32_t list_boundary(struct lists *lists, int32_t side_count)
             twin = &lists->next[*twin];
         if (*twin >= 0) {
             *twin = lists->next[*twin];
-            kept--;
         } else {
             lists->next[s] = lists->side_of[begin];
             lists->side_of[begin] = s;
-            kept++;
         }
     }
-    return kept;
 }
 
 /* Empties the lists into loops. Returns how many loops there are. */
@@ -67,17 +63,15 @@ int32_t boundary_loops(const int32_t *triangles, int32_t triangle_count, int32_t
     size_t side_count = 3 * (size_t)triangle_count, vertex_bytes = (size_t)vertex_count * 4;
     struct lists lists = {triangles, malloc(vertex_bytes + 1), malloc(side_count * 4 + 1)};
     int32_t count = OUT_OF_MEMORY;
-    if (lists.side_of && lists.next) {
+    *first = malloc((side_count / 3 + 1) * sizeof **first); /* a loop has three vertices or more */
+    *vertices = malloc(side_count * sizeof **vertices + 1);
+    if (lists.side_of && lists.next && *first && *vertices) {
         memset(lists.side_of, -1, vertex_bytes);
-        size_t kept = (size_t)list_boundary(&lists, (int32_t)side_count);
-        *first = malloc((kept / 3 + 1) * sizeof **first); /* a loop has three vertices or more */
-        *vertices = malloc(kept * sizeof **vertices + 1);
-        if (*first && *vertices) {
-            count = walk(&lists, vertex_count, *first, *vertices);
-        } else {
-            free(*first);
-            free(*vertices);
-        }
+        list_boundary(&lists, (int32_t)side_count);
+        count = walk(&lists, vertex_count, *first, *vertices);
+    } else {
+        free(*first);
+        free(*vertices);
     }
     free(lists.side_of);
     free(lists.next);
