@@ -61,29 +61,38 @@ static const struct answer_rule answer = {.function = "boundary_loops",
 static const struct phrase loop_noun = {"loop", "bucle"};
 static const struct phrase edge_noun = {"boundary edge", "arista de borde"};
 static const struct phrase loops_found = {"loops of the answer", "bucles de la respuesta"};
-static const struct phrase not_repeated = {"The first vertex is not repeated at the end of a loop.",
-                                           "El primer vértice no se repite al final del bucle."};
-static const struct phrase inner_edge = {"This edge has two triangles.",
-                                         "Esa arista tiene dos triángulos."};
-static const struct phrase no_edge = {"No triangle joins these two vertices.",
-                                      "Ningún triángulo une esos dos vértices."};
-static const struct cause short_loop = {"short-loop", {"loop too short", "bucle demasiado corto"}};
-static const struct cause repeated_vertex = {
-    "vertex-repeated", {"vertex twice in a row", "vértice dos veces seguidas"}};
-static const struct cause wrong_direction = {"wrong-direction",
-                                             {"wrong direction", "sentido contrario"}};
-static const struct cause no_boundary = {"not-a-boundary-edge",
-                                         {"not a boundary edge", "no es una arista de borde"}};
-static const struct cause repeated_edge = {"edge-repeated",
-                                           {"boundary edge repeated", "arista de borde repetida"}};
+static const struct cause empty_loop = {"empty-loop", {"empty loop", "bucle vacío"}};
 static const struct cause missing_edge = {"edge-left-out",
                                           {"boundary edge left out", "arista de borde omitida"}};
 
-/* The boundary, and which edges the answer has passed. */
+/* What can be wrong with a step, and how its sentence goes on. */
+struct fault {
+    struct cause cause;
+    struct phrase says;
+};
+static const struct fault repeated_vertex = {
+    {"vertex-repeated", {"vertex twice in a row", "vértice dos veces seguidas"}},
+    {": the first vertex of a loop is not repeated at its end, nor any other.",
+     ": el primer vértice de un bucle no se repite al final, ni ningún otro."}};
+static const struct fault no_edge = {
+    {"no-edge", {"not an edge", "no es una arista"}},
+    {", but no triangle joins these two vertices.", ", pero ningún triángulo une esos vértices."}};
+static const struct fault inner_edge = {
+    {"inner-edge", {"not a boundary edge", "no es una arista de borde"}},
+    {", but this edge has two triangles.", ", pero esa arista tiene dos triángulos."}};
+static const struct fault wrong_direction = {
+    {"wrong-direction", {"wrong direction", "sentido contrario"}},
+    {", against the direction of its triangle.", ", en sentido contrario al de su triángulo."}};
+static const struct fault repeated_edge = {
+    {"edge-repeated", {"boundary edge repeated", "arista de borde repetida"}},
+    {", but a loop has passed this edge before.", ", pero un bucle ya ha pasado por esa arista."}};
+
+/* The boundary, and which of its edges the answer has passed. */
 struct check {
     const struct face_topology *t;
     const struct answer_table *loops;
     bool *passed; /* of each edge */
+    int64_t passed_count;
 };
 
 static int64_t loop_length(const struct check *check, int64_t loop)
@@ -91,68 +100,58 @@ static int64_t loop_length(const struct check *check, int64_t loop)
     return check->loops->first[loop + 1] - check->loops->first[loop];
 }
 
+/* The vertices of a loop. */
 static const int32_t *loop_vertices(const struct check *check, int64_t loop)
 {
     return (const int32_t *)check->loops->cells + check->loops->first[loop];
 }
 
-static int32_t loop_vertex(const struct check *check, int64_t loop, int64_t i)
+/* Passes the edge from a to b. Returns what is wrong with that, or NULL. */
+static const struct fault *pass_edge(struct check *check, int32_t a, int32_t b)
 {
-    return loop_vertices(check, loop)[i % loop_length(check, loop)];
+    int64_t e = topology_find_edge(check->t, a, b);
+    const struct face_edge *edge = e < 0 ? NULL : &check->t->edges[e];
+    if (a == b || !edge)
+        return a == b ? &repeated_vertex : &no_edge;
+    if (topology_side_count(edge) != 1)
+        return &inner_edge;
+    if ((edge->up_count == 1) != (a < b))
+        return &wrong_direction;
+    if (check->passed[e])
+        return &repeated_edge;
+    check->passed[e] = true;
+    check->passed_count++;
+    return NULL;
 }
 
-/* Says what is wrong with step i of a loop; `edge` NULL: no triangle has it. */
-static void reject_step(const struct check *check, int64_t loop, int64_t i,
-                        const struct face_edge *edge, struct judgement *out)
+/* Follows a loop up to its first wrong step. Returns whether all are right. */
+static bool follow_loop(struct check *check, int64_t loop, struct judgement *out)
 {
-    int32_t a = loop_vertex(check, loop, i), b = loop_vertex(check, loop, i + 1);
-    bool is_boundary = edge && topology_side_count(edge) == 1;
-    bool is_reverse = is_boundary && (edge->up_count == 1) != (a < b);
-    bool is_last = i + 1 == loop_length(check, loop);
-    judge_name_one(out, loop_noun, "%" PRId64 ", (%d,%d)", loop, a, b);
-    judge_reject_for(out, a == b         ? &repeated_vertex
-                          : is_reverse   ? &wrong_direction
-                          : !is_boundary ? &no_boundary
-                                         : &repeated_edge);
-    judge_en(out, "loop %" PRId64 " goes %sfrom %d to %d", loop, is_last ? "back " : "", a, b);
-    judge_es(out, "el bucle %" PRId64 " %s de %d a %d", loop, is_last ? "vuelve" : "va", a, b);
-    scene_mark_arrow(&out->scene, MARK_WRONG, a, b);
-    if (is_reverse) {
-        judge_en(out, ", but the triangle of this edge runs it from %d to %d.", b, a);
-        judge_es(out, ", pero el triángulo de esa arista la recorre de %d a %d.", b, a);
-    } else if (is_boundary) {
-        judge_en(out, ", but a loop has passed this edge before.");
-        judge_es(out, ", pero un bucle ya ha pasado por esa arista.");
-    } else {
-        judge_en(out, ", which is no boundary edge.");
-        judge_es(out, ", que no es una arista de borde.");
-    }
-    if (a == b && is_last)
-        judge_hint(out, not_repeated);
-    else if (a != b && !is_boundary)
-        judge_hint(out, edge ? inner_edge : no_edge);
-}
-
-/* Follows one loop. */
-static void follow_loop(struct check *check, int64_t loop, struct judgement *out)
-{
+    const int32_t *vertices = loop_vertices(check, loop);
     int64_t length = loop_length(check, loop);
-    if (length < 3) {
-        judge_name_one(out, loop_noun, "%" PRId64, loop);
-        judge_reject(out, &short_loop, "loop %" PRId64 " has fewer than 3 vertices.",
-                     "el bucle %" PRId64 " tiene menos de 3 vértices.", loop);
-        scene_mark_path(&out->scene, MARK_WRONG, loop_vertices(check, loop), length, false);
-    }
-    for (int64_t i = 0; i < length && !out->cause[0]; i++) {
-        int32_t a = loop_vertex(check, loop, i), b = loop_vertex(check, loop, i + 1);
-        int64_t e = topology_find_edge(check->t, a, b);
-        const struct face_edge *edge = e < 0 ? NULL : &check->t->edges[e];
-        if (!edge || topology_side_count(edge) != 1 || check->passed[e] ||
-            (edge->up_count == 1) != (a < b))
-            reject_step(check, loop, i, edge, out);
+    const struct fault *fault = NULL;
+    for (int64_t i = 0; i < length && !fault; i++) {
+        bool last = i + 1 == length;
+        int32_t a = vertices[i], b = vertices[last ? 0 : i + 1];
+        if (!(fault = pass_edge(check, a, b)))
+            continue;
+        judge_name_one(out, loop_noun, "%" PRId64 ", (%d,%d)", loop, a, b);
+        judge_reject_for(out, &fault->cause);
+        judge_en(out, "loop %" PRId64 " goes %sfrom %d to %d%s", loop, last ? "back " : "", a, b,
+                 fault->says.en);
+        judge_es(out, "el bucle %" PRId64 " %s de %d a %d%s", loop, last ? "vuelve" : "va", a, b,
+                 fault->says.es);
+        if (a == b)
+            scene_mark_vertex(&out->scene, MARK_WRONG, a);
         else
-            check->passed[e] = true;
+            scene_mark_arrow(&out->scene, MARK_WRONG, a, b);
     }
+    if (length == 0) {
+        judge_name_one(out, loop_noun, "%" PRId64, loop);
+        judge_reject(out, &empty_loop, "loop %" PRId64 " has no vertex.",
+                     "el bucle %" PRId64 " no tiene ningún vértice.", loop);
+    }
+    return length > 0 && !fault;
 }
 
 static void reject_missing(const struct check *check, struct judgement *out)
@@ -172,22 +171,17 @@ static void reject_missing(const struct check *check, struct judgement *out)
                      "ningún bucle pasa por la arista de borde de %d a %d.", from, to);
     }
     int64_t all = check->t->boundary.count;
-    if (missing > 0) {
-        judge_en(out, " Left out: %" PRId64 " of %" PRId64 " boundary edges.", missing, all);
-        judge_es(out, " Omitidas: %" PRId64 " de %" PRId64 " aristas de borde.", missing, all);
-    }
+    judge_en(out, " Left out: %" PRId64 " of %" PRId64 " boundary edges.", missing, all);
+    judge_es(out, " Omitidas: %" PRId64 " de %" PRId64 " aristas de borde.", missing, all);
 }
 
 /* The loops of the answer in turn colours, behind what is wrong. */
-static int show(const struct task *task, const struct check *check, struct judgement *out,
-                struct error *err)
+static void show_loops(const struct check *check, struct scene *scene)
 {
     for (int64_t l = 0; l < check->loops->row_count; l++)
-        scene_mark_path(&out->scene, mark_turn(l), loop_vertices(check, l), loop_length(check, l),
-                        true);
-    scene_name_turns(&out->scene, loops_found, check->loops->row_count);
-    out->scene.ok_count = -1;
-    return task_show(task, out, err);
+        scene_mark_path(scene, mark_turn(l), loop_vertices(check, l), loop_length(check, l), true);
+    scene_name_turns(scene, loops_found, check->loops->row_count);
+    scene->ok_count = -1;
 }
 
 static int judge(const struct task *task, struct judgement *out, struct error *err)
@@ -197,16 +191,17 @@ static int judge(const struct task *task, struct judgement *out, struct error *e
     struct face_topology t;
     if (topology_build(&faces, &t, err))
         return -1;
-    struct check check = {&t, &task->answer.table[0], calloc((size_t)t.edge_count + 1, 1)};
-    int failed = check.passed ? 0 : error_set(err, "out of memory for %d edges", (int)t.edge_count);
-    for (int64_t l = 0; !failed && !out->cause[0] && l < check.loops->row_count; l++)
-        follow_loop(&check, l, out);
-    if (!failed && !out->cause[0])
-        reject_missing(&check, out);
-    if (!failed && !out->cause[0])
+    struct check check = {&t, &task->answer.table[0], calloc((size_t)t.edge_count + 1, 1), 0};
+    int failed = check.passed ? task_show(task, out, err) : error_set(err, "out of memory");
+    bool right = !failed;
+    for (int64_t l = 0; right && l < check.loops->row_count; l++)
+        right = follow_loop(&check, l, out);
+    if (right && check.passed_count == t.boundary.count)
         judge_accept(out);
-    else if (!failed)
-        failed = show(task, &check, out, err);
+    else if (right)
+        reject_missing(&check, out);
+    if (!failed && !out->accepted)
+        show_loops(&check, &out->scene);
     free(check.passed);
     topology_release(&t);
     return failed;
