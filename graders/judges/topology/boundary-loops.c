@@ -196,10 +196,12 @@ static int judge(const struct task *task, struct judgement *out, struct error *e
     bool right = !failed;
     for (int64_t l = 0; right && l < check.loops->row_count; l++)
         right = follow_loop(&check, l, out);
-    if (right && check.passed_count == t.boundary.count)
+    if (right && check.passed_count == t.boundary.count) {
+        scene_release(&out->scene); /* only a rejection shows something */
         judge_accept(out);
-    else if (right)
+    } else if (right) {
         reject_missing(&check, out);
+    }
     if (!failed && !out->accepted)
         show_loops(&check, &out->scene);
     free(check.passed);
