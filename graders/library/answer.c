@@ -170,11 +170,13 @@ static bool read_offsets(const struct answer_rule *rule, const struct answer_par
                          struct input_sizes sizes, struct reader *reader, struct answer *answer,
                          struct answer_table *table, struct judgement *out)
 {
+    static const int32_t nothing = 0;
+    int64_t offsets = answer->result > 0 ? answer->result + 1 : 0;
     table->row_count = answer->result;
-    table->first =
-        read_rows(reader, answer->result + 1, sizeof *table->first, part->argument, rule, out);
+    table->first = read_rows(reader, offsets, sizeof *table->first, part->argument, rule, out);
     if (!table->first)
         return false;
+    table->first = offsets > 0 ? table->first : &nothing;
     int64_t most = with_spare(room_for(part->most, sizes));
     for (int64_t r = 0; r < table->row_count; r++) {
         int64_t from = table->first[r], to = table->first[r + 1];
@@ -248,16 +250,25 @@ static struct phrase range_hint(int32_t value, struct answer_column column, int6
     return (struct phrase){NULL, NULL};
 }
 
-/* "(3,9)": the row, or its first values. */
+/* " (3,9)": the row, or its first values. */
 static void print_row(const struct answer_table *table, int64_t row, char *text, size_t capacity)
 {
     struct message m;
     message_clear(&m);
     for (int c = 0; c < table->columns; c++)
-        message_en(&m, "%s%d", c ? "," : "(", answer_int(table, row, c));
+        message_en(&m, "%s%d", c ? "," : " (", answer_int(table, row, c));
     message_en(&m, ")");
     strncpy(text, m.en, capacity - 1);
     text[capacity - 1] = '\0';
+}
+
+/* The row of unequal length that has the value. */
+static int64_t row_of_value(const struct answer_table *table, int64_t value)
+{
+    int64_t row = 0;
+    while (table->first[row + 1] <= value)
+        row++;
+    return row;
 }
 
 static void reject_range(const struct answer_rule *rule, const struct answer_part *part,
@@ -267,13 +278,16 @@ static void reject_range(const struct answer_rule *rule, const struct answer_par
     struct answer_column kind = column_of(part, column);
     struct phrase noun = index_noun(kind.of, rule);
     int32_t value = answer_int(table, row, column);
-    char text[120];
-    print_row(table, row, text, sizeof text);
-    judge_name_one(out, part->row, "%" PRId64 " %s", row, text);
+    char text[120] = "";
+    if (table->first) /* a value of a row: rows are what the student counts */
+        row = row_of_value(table, row);
+    else
+        print_row(table, row, text, sizeof text);
+    judge_name_one(out, part->row, "%" PRId64 "%s", row, text);
     if (!judge_reject_for(out, &out_of_range))
         return;
-    judge_en(out, "%s %" PRId64 " %s: ", part->row.en, row, text);
-    judge_es(out, "%s %" PRId64 " %s: ", part->row.es, row, text);
+    judge_en(out, "%s %" PRId64 "%s: ", part->row.en, row, text);
+    judge_es(out, "%s %" PRId64 "%s: ", part->row.es, row, text);
     if (kind.name) {
         judge_en(out, "%s is ", kind.name);
         judge_es(out, "%s es ", kind.name);

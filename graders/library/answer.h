@@ -40,7 +40,8 @@ enum answer_result {
 enum part_rows {
     ROWS_RESULT, /* as many as the function returned; made by the student with malloc */
     ROWS_FIXED,  /* exactly `most`: an array of the caller's, or one block of known size */
-    ROWS_OF_ROWS /* RESULT rows of unequal length: offsets (one more than rows), then values */
+    ROWS_OF_ROWS /* RESULT rows of unequal length: offsets (one more than rows), then values; for no
+                    row both may be NULL, and are not looked at */
 };
 
 enum part_type { TYPE_INT32, TYPE_FLOAT, TYPE_DOUBLE, TYPE_BYTE };

@@ -90,12 +90,13 @@ void answer_table(struct writer *answer, int64_t count, void *table, size_t row_
 }
 
 /* The values are as many as the last offset says. It is followed only where the offsets could be
- * copied, and the values are written only when they fit: a wild offset ends as a claim. */
+ * copied, and the values are written only when they fit: a wild offset ends as a claim. For no row
+ * there are no offsets either. */
 void answer_rows(struct writer *answer, int64_t count, int32_t *first, int32_t *values)
 {
     size_t before = answer->count;
-    write_table(answer, first, count + 1, sizeof *first);
-    bool copied = first && answer->count - before > 2 * sizeof(int64_t);
+    write_table(answer, first, count > 0 ? count + 1 : 0, sizeof *first);
+    bool copied = answer->count - before > 2 * sizeof(int64_t);
     write_table(answer, values, copied ? first[count] : 0, sizeof *values);
     free(first);
     free(values);

@@ -1,0 +1,16 @@
+/* Returns more loops than there are numbers for.
+ * expect: wrong-answer */
+#include "boundary-loops.h"
+
+#include <stdlib.h>
+
+int32_t boundary_loops(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                       int32_t **first, int32_t **vertices)
+{
+    (void)triangles;
+    (void)triangle_count;
+    (void)vertex_count;
+    *first = calloc(2, sizeof **first);
+    *vertices = calloc(3, sizeof **vertices);
+    return *first && *vertices ? INT32_MAX : OUT_OF_MEMORY;
+}

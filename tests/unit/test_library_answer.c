@@ -1,0 +1,67 @@
+/* Answers of rows of unequal length, as they are read: none at all, and a row that names what is
+ * not there. */
+#include "graders/library/answer.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+static const struct answer_rule rule = {.function = "loops",
+                                        .result = RESULT_COUNT,
+                                        .counted = {"loops", "bucles"},
+                                        .most = {.once = 8},
+                                        .parts = {{.argument = "*first or *vertices",
+                                                   .row = {"loop", "bucle"},
+                                                   .columns = 1,
+                                                   .of = OF_VERTEX,
+                                                   .rows = ROWS_OF_ROWS,
+                                                   .most = {.once = 24}}}};
+
+/* Reads an answer of `count` rows. */
+static bool read_rows(int64_t count, const int32_t *first, const int32_t *values,
+                      struct answer *answer, struct judgement *out)
+{
+    static char bytes[1024];
+    struct writer writer = writer_into(bytes, sizeof bytes);
+    write_int(&writer, count);
+    write_table(&writer, first, count > 0 ? count + 1 : 0, sizeof *first);
+    write_table(&writer, values, first && count > 0 ? first[count] : 0, sizeof *values);
+    return answer_read(&rule, (struct input_sizes){.vertices = 5},
+                       (struct span){bytes, writer.count}, answer, out);
+}
+
+static void no_row_needs_no_table(void **state)
+{
+    (void)state;
+    struct answer answer;
+    struct judgement out = {0};
+    if (!read_rows(0, NULL, NULL, &answer, &out))
+        fail_msg("%s", out.message.en);
+    assert_int_equal(answer.table[0].row_count, 0);
+    assert_int_equal(answer.table[0].count, 0);
+    assert_int_equal(answer.table[0].first[0], 0);
+    assert_false(read_rows(1, NULL, NULL, &answer, &out));
+    assert_string_equal(out.cause, "no-table");
+}
+
+static void the_row_is_named_and_not_the_value(void **state)
+{
+    (void)state;
+    const int32_t first[] = {0, 3, 3, 6}, values[] = {0, 1, 2, 2, 5, 4};
+    struct answer answer;
+    struct judgement out = {0};
+    assert_false(read_rows(3, first, values, &answer, &out));
+    assert_string_equal(out.element.en, "loop 2");
+    assert_string_equal(out.message.en, "loop 2: 5 is out of range; vertices are numbered 0 to 4. "
+                                        "Is counting from 1?");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(no_row_needs_no_table),
+                                       cmocka_unit_test(the_row_is_named_and_not_the_value)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
