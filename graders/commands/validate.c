@@ -286,8 +286,10 @@ static int validate(struct plan *plan, const struct exercise *exercise, struct e
     if (result == 0 && plan->only)
         result = keep_only(plan, &subject.known, err);
     subject.findings = calloc((size_t)subject.known.count + 1, sizeof *subject.findings);
-    if (result == 0 && !subject.findings)
-        result = error_set(err, "out of memory");
+    if (!subject.findings) {
+        error_set(err, "out of memory");
+        result = -1;
+    }
     if (result == 0)
         open_stamps(plan, &subject);
     for (int i = 0; i < subject.known.count && result == 0; i++)
