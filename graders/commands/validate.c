@@ -75,7 +75,9 @@ static bool is_called(const struct known_submission *submission, const char *nam
 static int keep_only(struct plan *plan, struct known_list *known, struct error *err)
 {
     bool *kept = calloc((size_t)known->count + 1, sizeof *kept);
-    int result = kept ? 0 : error_set(err, "out of memory");
+    if (!kept)
+        return error_set(err, "out of memory");
+    int result = 0;
     for (const char *name = plan->only; *name && result == 0;) {
         size_t length = strcspn(name, ",");
         bool found = false;
