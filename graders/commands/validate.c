@@ -75,7 +75,9 @@ static bool is_called(const struct known_submission *submission, const char *nam
 static int keep_only(struct plan *plan, struct known_list *known, struct error *err)
 {
     bool *kept = calloc((size_t)known->count + 1, sizeof *kept);
-    int result = kept ? 0 : error_set(err, "out of memory");
+    if (!kept)
+        return error_set(err, "out of memory");
+    int result = 0;
     for (const char *name = plan->only; *name && result == 0;) {
         size_t length = strcspn(name, ",");
         bool found = false;
@@ -286,8 +288,10 @@ static int validate(struct plan *plan, const struct exercise *exercise, struct e
     if (result == 0 && plan->only)
         result = keep_only(plan, &subject.known, err);
     subject.findings = calloc((size_t)subject.known.count + 1, sizeof *subject.findings);
-    if (result == 0 && !subject.findings)
-        result = error_set(err, "out of memory");
+    if (!subject.findings) {
+        error_set(err, "out of memory");
+        result = -1;
+    }
     if (result == 0)
         open_stamps(plan, &subject);
     for (int i = 0; i < subject.known.count && result == 0; i++)

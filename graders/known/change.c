@@ -302,9 +302,10 @@ int change_apply(const struct change_text *change, const struct change_text *bas
     if (result == 0)
         result = read_source(base, &from, err);
     if (result == 0 && !(room = malloc(change->count + base->count + 4)))
-        result = error_set(err, "%s: out of memory", change->name);
+        error_set(err, "%s: out of memory", change->name);
+    result = room ? 0 : -1;
     *count = 0;
-    if (result == 0)
+    if (room)
         result = apply(&difference, &from, room, count, err);
     free(difference.lines);
     free(from.lines);

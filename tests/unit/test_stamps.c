@@ -37,8 +37,7 @@ static int make_root(void **state)
     put("build/runner/made.plain.o", "a runner");
     put("build/runner/made.sanitized.o", "a runner");
     put("build/runner/made.checked.o", "a runner");
-    int length =
-        snprintf(exercise.folder, sizeof exercise.folder, "%s/exercises/edges/made", root);
+    int length = snprintf(exercise.folder, sizeof exercise.folder, "%s/exercises/edges/made", root);
     return length < (int)sizeof exercise.folder ? 0 : -1;
 }
 
