@@ -19,13 +19,14 @@ struct reader reader_of(const void *bytes, size_t count)
 const void *read_array(struct reader *reader, int64_t count, size_t element_bytes)
 {
     size_t left = reader->count - reader->at;
-    if (reader->failed || count < 0 || (element_bytes && (uint64_t)count > left / element_bytes)) {
+    bool fits = count >= 0 && (!element_bytes || (uint64_t)count <= left / element_bytes) &&
+                padded((size_t)count * element_bytes) <= left;
+    if (reader->failed || !fits) {
         reader->failed = true;
         return NULL;
     }
     const void *array = reader->bytes + reader->at;
-    size_t bytes = padded((size_t)count * element_bytes);
-    reader->at += bytes < left ? bytes : left;
+    reader->at += padded((size_t)count * element_bytes);
     return array;
 }
 
