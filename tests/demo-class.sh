@@ -8,9 +8,9 @@
 # the same every time.
 set -eu
 to=$1
-cd "$(dirname "$0")/submissions"
-from=$PWD
-cd - >/dev/null
+from=$(mktemp -d)
+trap 'rm -rf "$from"' EXIT
+"$(dirname "$0")/../build/meshgrade" validate --expand "$from"
 rm -rf "$to"
 mkdir -p "$to/folders" "$to/zip" "$to/tar" "$to/moodle"
 to=$(cd "$to" && pwd)

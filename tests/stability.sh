@@ -27,7 +27,7 @@ make_known_class() { # folder
         student=$((student + 1)) index=0
         read -ra kinds <<<"$kinds"
         mkdir -p "$1/student-$student"
-        for exercise in tests/submissions/*/*/; do
+        for exercise in "$work"/submissions/*/*/; do
             file=$(find "$exercise${kinds[index % 3]}" "${exercise}wrong" -name '*.c' 2>/dev/null | LC_ALL=C sort | head -n 1)
             cp "$file" "$1/student-$student/$(basename "$exercise").c"
             index=$((index + 1))
@@ -36,7 +36,10 @@ make_known_class() { # folder
 }
 
 case $class in
-known) make_known_class "$work/class" ;;
+known)
+    build/meshgrade validate --expand "$work/submissions"
+    make_known_class "$work/class"
+    ;;
 demo) tests/demo-class.sh "$work/class" ;;
 *) cp -r "$class" "$work/class" ;;
 esac

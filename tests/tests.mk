@@ -27,8 +27,8 @@ $(MUTANT_JUDGE): $(BUILD)/tests/mutants/judge_mutants.o $(BUILD)/libmeshgrade.a
 	$(call SHOW,LD  $@)$(CC) $(MODE) $^ -o $@ $(LDLIBS)
 test: $(MUTANT_JUDGE)
 .PHONY: mutants
-mutants: all $(MUTANT_JUDGE) ## mutants of right answers against the judges, SAMPLE a file (0: all)
-	@tests/mutants/run --program $(MUTANT_JUDGE) --sample $(SAMPLE)
+mutants: all $(MUTANT_JUDGE) ## mutants of right answers against the judges, SAMPLE a file (0: all); NAME=exercise
+	@tests/mutants/run --program $(MUTANT_JUDGE) --sample $(SAMPLE) $(NAME:%=--exercise %)
 
 # ---------------------------------------------------------------- faults of the machine
 POINTS ?= 50

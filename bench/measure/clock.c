@@ -15,11 +15,6 @@ int64_t thread_cpu_ns(void)
     return read_clock(CLOCK_THREAD_CPUTIME_ID);
 }
 
-int64_t process_cpu_ns(void)
-{
-    return read_clock(CLOCK_PROCESS_CPUTIME_ID);
-}
-
 int64_t wall_ns(void)
 {
     return read_clock(CLOCK_MONOTONIC);

@@ -8,10 +8,9 @@
 extern "C" {
 #endif
 
-/* CPU time of the calling thread, of the whole process (all threads), and monotonic wall time. A
- * call costs some 200 ns (it enters the kernel) but wall_ns (25 ns). */
+/* CPU time of the calling thread, and monotonic wall time. thread_cpu_ns costs some 200 ns (it
+ * enters the kernel), wall_ns 25 ns. */
 int64_t thread_cpu_ns(void);
-int64_t process_cpu_ns(void);
 int64_t wall_ns(void);
 
 /* Runs `rounds` rounds of eight independent additions in registers (some 2 cycles a round) and

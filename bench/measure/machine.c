@@ -101,12 +101,3 @@ void machine_describe(struct machine *machine)
     );
     snprintf(machine->flags, sizeof machine->flags, "%s", BUILD_FLAGS);
 }
-
-int64_t machine_cache_bytes(const struct machine *machine, int level)
-{
-    for (int i = 0; i < machine->cache_count; i++)
-        if (machine->caches[i].level == level &&
-            strcmp(machine->caches[i].type, "Instruction") != 0)
-            return machine->caches[i].bytes;
-    return 0;
-}

@@ -28,7 +28,4 @@ struct machine {
 /* Describes this machine; what the system does not tell stays "" or 0. */
 void machine_describe(struct machine *machine);
 
-/* Size of the data or unified cache of that level, 0 when unknown. */
-int64_t machine_cache_bytes(const struct machine *machine, int level);
-
 #endif

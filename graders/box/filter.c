@@ -151,7 +151,7 @@ static void refuse_processes(struct rules *rules)
 static void add_tools(struct rules *rules, enum box_profile profile)
 {
     static const uint64_t requests[] = {TCGETS, TIOCGWINSZ, FIONREAD, FIOCLEX};
-    /* Not those that make the kernel send signals: to whom, a filter cannot see. */
+    /* Those that make the kernel send signals are left out: a filter cannot see their target. */
     static const uint64_t commands[] = {F_DUPFD,      F_DUPFD_CLOEXEC, F_GETFD,     F_SETFD,
                                         F_GETFL,      F_SETFL,         F_GETLK,     F_SETLK,
                                         F_SETLKW,     F_OFD_GETLK,     F_OFD_SETLK, F_OFD_SETLKW,

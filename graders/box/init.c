@@ -26,9 +26,9 @@ static _Noreturn void fail(struct inside *inside, const char *what, int error)
     _exit(1);
 }
 
-/* Straight to the kernel, as is everything here that glibc would guard by locks or do in all
- * threads: after the clone there is one thread, but glibc's memory still tells of the engine's, and
- * a lock that one of those held is never released. */
+/* Raw system calls, here and wherever glibc would take a lock or act on all threads: another thread
+ * of the engine may have held a glibc lock at the clone, and in this process nobody would ever
+ * release it. */
 static void reset_signals(void)
 {
     static const uint64_t by_default[4]; /* handler, flags, restorer, mask: all 0 */

@@ -33,7 +33,7 @@ enum {
 };
 
 /* One part of the private root. */
-struct tree {
+struct bound_tree {
     const char *source; /* on the host */
     const char *target; /* inside, absolute */
     int fd;             /* detached mount; -1: not taken yet, or a link */
@@ -67,7 +67,7 @@ struct inside {
     int null_fd, work_fd;
     uint64_t namespaces; /* CLONE_NEW... that this box really has */
     bool other_user;     /* mapped to another user id */
-    struct tree trees[TREE_LIMIT];
+    struct bound_tree trees[TREE_LIMIT];
     int tree_count;
     struct sock_filter *filter; /* borrowed from filter.c */
     size_t filter_count;

@@ -17,7 +17,7 @@ static void add_tree(struct inside *inside, const char *source, const char *targ
     for (int i = 0; i < inside->tree_count; i++)
         if (strcmp(inside->trees[i].target, target) == 0)
             return;
-    inside->trees[inside->tree_count++] = (struct tree){
+    inside->trees[inside->tree_count++] = (struct bound_tree){
         .source = source, .target = target, .fd = -1, .attributes = attributes | MOUNT_ATTR_NOSUID};
 }
 
@@ -39,7 +39,7 @@ void root_plan(struct inside *inside)
                  MOUNT_ATTR_NODEV | (plan->profile == BOX_BUILD ? MOUNT_ATTR_NOEXEC : 0));
 }
 
-static int take_tree(struct tree *tree)
+static int take_tree(struct bound_tree *tree)
 {
     struct stat about;
     if (lstat(tree->source, &about))
@@ -95,7 +95,7 @@ static void make_parents(const char *path)
 }
 
 /* Puts one tree into the new root, which is the current folder. */
-static int attach_tree(const struct tree *tree)
+static int attach_tree(const struct bound_tree *tree)
 {
     const char *target = tree->target + 1; /* relative to the new root */
     make_parents(target);

@@ -11,6 +11,7 @@
 #include "bench/compare/subjects.h"
 #include "bench/compare/table.h"
 #include "graders/engine/base/files.h"
+#include "graders/engine/result/lock.h"
 #include "graders/engine/result/score.h"
 #include "graders/report/bench/bench_report.h"
 
@@ -318,14 +319,24 @@ static int run_bench(int argc, char **argv)
     int first = options_parse(&command_bench, rules, argc, argv);
     if (first < 0 || read_what(&settings, argc, argv, first) != 0 || !settings_are_good(&settings))
         return EXIT_USAGE;
+    if (settings.page && !folder_holds(settings.page, "bench.json")) {
+        fprintf(stderr, "meshgrade: %s holds no bench.json; run meshgrade bench -o %s first\n",
+                settings.page, settings.page);
+        return EXIT_USAGE;
+    }
     if (settings.page)
         return write_report(settings.page, &err) == 0 ? EXIT_PASSED : report_fault(&err);
     struct sigaction action = {.sa_handler = ask_to_stop};
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    if (find_places(&settings, &err) == 0 && bench(&settings, &err) == 0)
-        return EXIT_PASSED;
-    return report_fault(&err);
+    struct lock lock = {-1};
+    int result = find_places(&settings, &err);
+    if (result == 0)
+        result = lock_take(&lock, settings.folder, &err); /* two runs would share a journal */
+    if (result == 0)
+        result = bench(&settings, &err);
+    lock_release(&lock);
+    return result == 0 ? EXIT_PASSED : report_fault(&err);
 }
 
 const struct command command_bench = {

@@ -165,7 +165,8 @@ static int run(int argc, char **argv)
         return EXIT_USAGE;
     }
     if (use_layers(request.without) != 0 ||
-        options_seed(request.seed_text, SEED_PUBLISHED, &request.seed) != 0)
+        options_seed(request.seed_text, SEED_PUBLISHED, &request.seed) != 0 ||
+        options_language(request.language) != 0)
         return EXIT_USAGE;
     if (load_exercises(&exercises, &count) != 0)
         return EXIT_FAULT;

@@ -2,6 +2,7 @@
 #include "graders/commands/common.h"
 
 #include "graders/box/box.h"
+#include "graders/commands/nearest.h"
 #include "graders/commands/options.h"
 #include "graders/engine/base/files.h"
 
@@ -14,7 +15,7 @@
 int report_fault(const struct error *err)
 {
     fprintf(stderr, "meshgrade: %s\n", err->text);
-    return EXIT_FAULT;
+    return error_is_request(err) ? EXIT_USAGE : EXIT_FAULT;
 }
 
 int print_value(const json_t *value)
@@ -36,12 +37,34 @@ int load_exercises(struct exercise **exercises, int *count)
     return -1;
 }
 
+const char **exercise_names(const struct exercise *exercises, int count)
+{
+    const char **names = calloc((size_t)count + 1, sizeof *names);
+    for (int i = 0; names && i < count; i++)
+        names[i] = exercises[i].name;
+    return names;
+}
+
 const struct exercise *need_exercise(const struct exercise *exercises, int count, const char *name)
 {
     const struct exercise *exercise = exercise_find(exercises, count, name);
-    if (!exercise)
-        fprintf(stderr, "meshgrade: there is no exercise \"%s\"; see meshgrade list\n", name);
-    return exercise;
+    char near[3 * EXERCISE_NAME + 8] = "";
+    const char **names = exercise ? NULL : exercise_names(exercises, count);
+    if (exercise)
+        return exercise;
+    if (names)
+        nearest_names(name, names, (size_t)count, near, sizeof near);
+    fprintf(stderr, "meshgrade: there is no exercise \"%s\"; %s%s\n", name,
+            near[0] ? "nearest: " : "see meshgrade list", near);
+    free(names);
+    return NULL;
+}
+
+bool folder_holds(const char *folder, const char *name)
+{
+    char path[PATH_MAX];
+    return file_path(path, NULL, "%s/%s", folder, name) == 0 &&
+           (access(path, F_OK) == 0 || errno == EACCES);
 }
 
 int use_layers(const char *without)

@@ -12,8 +12,14 @@
 /* The exercises of this tree; the caller frees *exercises. Says what is wrong and returns -1. */
 int load_exercises(struct exercise **exercises, int *count);
 
-/* The exercise of that name, or NULL after saying that there is none. */
+/* Their names, borrowed, and a NULL after the last; the caller frees the array. NULL: no memory. */
+const char **exercise_names(const struct exercise *exercises, int count);
+
+/* The exercise of that name, or NULL after saying that there is none, and which are like it. */
 const struct exercise *need_exercise(const struct exercise *exercises, int count, const char *name);
+
+/* Whether there is FOLDER/name, as far as can be told. */
+bool folder_holds(const char *folder, const char *name);
 
 /* What --without asks for: boxes without these layers; NULL: all layers. Says what is wrong and
  * returns -1. */
@@ -22,7 +28,8 @@ int use_layers(const char *without);
 /* Colour only on a terminal and without NO_COLOR; language "en" or "es", NULL: by LANG. */
 struct terminal_style style_for(FILE *stream, const char *language);
 
-/* Prints "meshgrade: ..." and returns EXIT_FAULT. */
+/* Prints "meshgrade: ..." and returns EXIT_FAULT, or EXIT_USAGE when the error is in what was asked
+ * for. */
 int report_fault(const struct error *err);
 
 /* Prints a value and the end of the line on the standard output. Returns 0, or -1 after saying that

@@ -64,7 +64,7 @@ static void add_pictures(struct finding *findings, int *count)
 {
     struct finding *finding = &findings[(*count)++];
     struct error err = {""};
-    struct words reason = {"", ""};
+    struct phrase reason = {"", ""};
     char folder[PATH_MAX] = "", path[PATH_MAX + 16];
     static const char scene[] =
         "{\"kind\": \"chart\", \"curves\": [{\"name\": \"n\", \"x\": [1, 10], "

@@ -1,9 +1,13 @@
 /* meshgrade grade: a class. */
 #include "graders/commands/common.h"
+#include "graders/commands/nearest.h"
 #include "graders/commands/options.h"
 #include "graders/commands/publish.h"
 #include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
+#include "graders/engine/result/lock.h"
+#include "graders/engine/upload/names.h"
+#include "reference/base/plural.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -36,28 +40,51 @@ static void show_progress(const struct classroom *classroom, const json_t *resul
 
 /* ----------------------------------------------------------------- uploads */
 
-static const char **names_of(const struct exercise *exercises, int count)
+/* Says that nobody has that name, and whose is like it. */
+static void complain_of_student(const struct upload_list *list, const char *student)
 {
-    const char **names = calloc((size_t)count + 1, sizeof *names);
-    if (!names)
-        return NULL;
-    for (int i = 0; i < count; i++)
-        names[i] = exercises[i].name;
-    return names;
+    char near[3 * NAMES_SLUG + 8] = "", slug[NAMES_SLUG];
+    const char **folders = calloc((size_t)list->count + 1, sizeof *folders);
+    int students = 0;
+    for (int i = 0; folders && i < list->count; i++)
+        if (i == 0 || strcmp(list->uploads[i].student_folder, folders[students - 1]) != 0)
+            folders[students++] = list->uploads[i].student_folder;
+    names_slug(slug, student);
+    if (folders)
+        nearest_names(slug, folders, (size_t)students, near, sizeof near);
+    fprintf(stderr, "meshgrade: --only \"%s\": ", student);
+    if (near[0])
+        fprintf(stderr, "there is no such student; nearest: %s\n", near);
+    else
+        fprintf(stderr, "there is no such student among the %d student%s of these paths\n",
+                students, plural_ending(students));
+    free(folders);
 }
 
-/* Keeps the uploads of one student, for --only. */
-static void keep_only(struct upload_list *list, const char *student)
+static bool is_of(const struct upload *upload, const char *student)
+{
+    return strcmp(upload->student, student) == 0 || strcmp(upload->student_folder, student) == 0;
+}
+
+/* Keeps the uploads of one student, for --only. Returns -1 after saying that there are none. */
+static int keep_only(struct upload_list *list, const char *student)
 {
     int kept = 0;
+    for (int i = 0; i < list->count; i++)
+        kept += is_of(&list->uploads[i], student);
+    if (kept == 0) {
+        complain_of_student(list, student);
+        return -1;
+    }
+    kept = 0;
     for (int i = 0; i < list->count; i++) {
-        if (strcmp(list->uploads[i].student, student) == 0 ||
-            strcmp(list->uploads[i].student_folder, student) == 0)
+        if (is_of(&list->uploads[i], student))
             list->uploads[kept++] = list->uploads[i];
         else
             upload_release(&list->uploads[i]);
     }
     list->count = kept;
+    return 0;
 }
 
 static void print_changes(const struct classroom *classroom)
@@ -86,7 +113,8 @@ static void print_changes(const struct classroom *classroom)
 static int use_scratch(const char *out, struct error *err)
 {
     char path[PATH_MAX], absolute[PATH_MAX];
-    snprintf(path, sizeof path, "%s/scratch", out);
+    if (file_path(path, err, "%s/scratch", out) != 0)
+        return -1;
     folder_remove(path);
     if (folder_make(path, err) != 0)
         return -1;
@@ -112,8 +140,8 @@ static int grade(struct classroom *classroom, const struct request *request, str
         result = classroom_grade(classroom, err);
     if (result == 0)
         result = store_write_files(&store, request->out, err);
-    snprintf(scratch, sizeof scratch, "%s/scratch", request->out);
-    folder_remove(scratch);
+    if (file_path(scratch, err, "%s/scratch", request->out) == 0)
+        folder_remove(scratch);
     if (result == 0 && classroom->regrade)
         print_changes(classroom);
     json_decref(classroom->changes);
@@ -121,6 +149,38 @@ static int grade(struct classroom *classroom, const struct request *request, str
     classroom->store = NULL;
     store_close(&store);
     return result;
+}
+
+/* Grades and publishes while no other run does so there. */
+static int grade_alone(struct classroom *classroom, const struct request *request,
+                       struct error *err)
+{
+    struct lock lock = {-1};
+    int code = EXIT_FAULT;
+    if (folder_make(request->out, err) == 0 && lock_take(&lock, request->out, err) == 0 &&
+        grade(classroom, request, err) == 0)
+        code = publish(request->out, !request->no_pictures, request->json, err);
+    lock_release(&lock);
+    return code;
+}
+
+static int grade_uploads(const struct exercise *exercises, int count, struct upload_list *uploads,
+                         long jobs, const struct request *request, struct error *err)
+{
+    struct classroom classroom = {.exercises = exercises,
+                                  .exercise_count = count,
+                                  .uploads = uploads,
+                                  .job_count = (int)jobs,
+                                  .regrade = request->regrade,
+                                  .apply = request->apply,
+                                  .keep_others =
+                                      request->exercise || request->only || request->regrade,
+                                  .progress = show_progress};
+    if (request->only && keep_only(uploads, request->only) != 0)
+        return EXIT_USAGE;
+    for (int i = 0; i < uploads->note_count; i++)
+        fprintf(stderr, "meshgrade: %s\n", uploads->notes[i]);
+    return grade_alone(&classroom, request, err);
 }
 
 static int grade_paths(const struct exercise *exercises, int count, char **paths, int path_count,
@@ -131,33 +191,17 @@ static int grade_paths(const struct exercise *exercises, int count, char **paths
     /* One more than cores: some submissions only wait. Nothing that is marked rests on the clock.
      */
     long jobs = options_number("jobs", request->jobs, 1, sysconf(_SC_NPROCESSORS_ONLN) + 1);
-    const char **names = names_of(exercises, count);
-    if (jobs < 1 || !names) {
-        free(names);
-        return EXIT_USAGE;
-    }
+    const char **names = exercise_names(exercises, count);
     int code = EXIT_FAULT;
-    if (upload_read((const char *const *)paths, path_count, names, request->exercise, &uploads,
-                    &err) == 0) {
-        struct classroom classroom = {.exercises = exercises,
-                                      .exercise_count = count,
-                                      .uploads = &uploads,
-                                      .job_count = (int)jobs,
-                                      .regrade = request->regrade,
-                                      .apply = request->apply,
-                                      .keep_others =
-                                          request->exercise || request->only || request->regrade,
-                                      .progress = show_progress};
-        if (request->only)
-            keep_only(&uploads, request->only);
-        for (int i = 0; i < uploads.note_count; i++)
-            fprintf(stderr, "meshgrade: %s\n", uploads.notes[i]);
-        code = grade(&classroom, request, &err) == 0
-                   ? publish(request->out, !request->no_pictures, request->json, &err)
-                   : EXIT_FAULT;
-    }
+    if (jobs < 1)
+        code = EXIT_USAGE;
+    else if (!names)
+        error_set(&err, "out of memory");
+    else if (upload_read((const char *const *)paths, path_count, names, request->exercise, &uploads,
+                         &err) == 0)
+        code = grade_uploads(exercises, count, &uploads, jobs, request, &err);
     if (code == EXIT_FAULT && err.text[0])
-        report_fault(&err);
+        code = report_fault(&err);
     upload_list_release(&uploads);
     free(names);
     return code;
@@ -187,6 +231,10 @@ static int run(int argc, char **argv)
     int at = options_parse(&command_grade, rules, argc, argv);
     if (at < 0 || at >= argc || !request.out) {
         fprintf(stderr, "usage: meshgrade grade [options] PATH... -o FOLDER\n");
+        return EXIT_USAGE;
+    }
+    if (request.apply && !request.regrade) {
+        fprintf(stderr, "meshgrade: --apply goes with --rejudge\n");
         return EXIT_USAGE;
     }
     if (use_layers(request.without) != 0 ||

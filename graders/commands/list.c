@@ -26,15 +26,11 @@ static int run(int argc, char **argv)
     bool json = false;
     const struct option_rule rules[] = {{"json", 0, NULL, "as JSON", NULL, &json}, {0}};
     struct exercise *exercises;
-    struct error err = {""};
     int count, code = EXIT_PASSED;
     if (options_parse(&command_list, rules, argc, argv) < 0)
         return EXIT_USAGE;
-    const char *root = project_root(&err);
-    if (!root || exercises_read(root, &exercises, &count, &err) != 0) {
-        fprintf(stderr, "meshgrade: %s\n", err.text);
+    if (load_exercises(&exercises, &count) != 0)
         return EXIT_FAULT;
-    }
     if (json && print_json(exercises, count) != 0)
         code = EXIT_FAULT;
     for (int i = 0; i < count && !json; i++)

@@ -101,3 +101,11 @@ int options_seed(const char *text, uint32_t absent, uint32_t *seed)
     *seed = number >= 0 ? (uint32_t)number : 0;
     return number >= 0 ? 0 : -1;
 }
+
+int options_language(const char *text)
+{
+    if (!text || strcmp(text, "en") == 0 || strcmp(text, "es") == 0)
+        return 0;
+    fprintf(stderr, "meshgrade: --lang %s: expected en or es\n", text);
+    return -1;
+}

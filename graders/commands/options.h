@@ -38,6 +38,10 @@ long options_number(const char *name, const char *text, long least, long absent)
  * what is wrong. */
 int options_seed(const char *text, uint32_t absent, uint32_t *seed);
 
+/* The language after --lang: en or es; `text` NULL: left to the environment. Returns 0, or -1 after
+ * saying what is wrong. */
+int options_language(const char *text);
+
 extern const struct command command_list, command_start, command_check, command_grade,
     command_report, command_export, command_validate, command_doctor, command_bench,
     command_calibrate;

@@ -1,4 +1,5 @@
 /* meshgrade start: statement, header and starter of an exercise, for a student. */
+#include "graders/commands/common.h"
 #include "graders/commands/options.h"
 #include "graders/engine/base/exercise.h"
 #include "graders/engine/base/files.h"
@@ -54,21 +55,14 @@ static int run(int argc, char **argv)
         fprintf(stderr, "usage: meshgrade start EXERCISE [FOLDER]\n");
         return EXIT_USAGE;
     }
-    const char *root = project_root(&err);
-    if (!root || exercises_read(root, &exercises, &count, &err) != 0) {
-        fprintf(stderr, "meshgrade: %s\n", err.text);
+    if (load_exercises(&exercises, &count) != 0)
         return EXIT_FAULT;
-    }
-    const struct exercise *exercise = exercise_find(exercises, count, argv[at]);
-    int code = EXIT_PASSED;
-    if (!exercise) {
-        fprintf(stderr, "meshgrade: there is no exercise \"%s\"; see meshgrade list\n", argv[at]);
-        code = EXIT_USAGE;
-    } else {
+    const struct exercise *exercise = need_exercise(exercises, count, argv[at]);
+    int code = exercise ? EXIT_PASSED : EXIT_USAGE;
+    if (exercise) {
         const char *folder = at + 1 < argc ? argv[at + 1] : exercise->name;
         if (copy_all(exercise, folder, &err) != 0) {
-            fprintf(stderr, "meshgrade: %s\n", err.text);
-            code = EXIT_FAULT;
+            code = report_fault(&err);
         } else {
             printf("Write %s/%s.c, then: meshgrade check %s %s/%s.c\n", folder, exercise->name,
                    exercise->name, folder, exercise->name);

@@ -2,239 +2,368 @@
  * its verdict and lose points for exactly what it is expected to, and every right one must keep a
  * margin to the bands. */
 #include "graders/commands/common.h"
-#include "graders/commands/expectation.h"
 #include "graders/commands/options.h"
 #include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
-#include "reference/base/listing.h"
+#include "graders/engine/upload/sources.h"
+#include "graders/known/stamps.h"
+#include "graders/known/submissions.h"
+#include "reference/base/plural.h"
 
+#include <limits.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-static const double MARGIN = 1.25; /* right answers stay this factor inside every band */
+enum { RIGHT_LEAST = 3 };
 
-struct tally {
-    int met, missed;
-    bool verbose;
+/* What is asked for, and what came of it. */
+struct plan {
+    const char *only, *folder;
+    bool again, verbose;
+    uint32_t seed;
+    long jobs;
+    char machine[STAMP_KEY]; /* empty: nothing is remembered */
+    int met, missed, as_before;
+    int lacks; /* of the sets of submissions */
+    bool is_usage_error;
 };
 
 /* ----------------------------------------------------------------- loading */
 
-static char *last_parts(const char *path, char *text, size_t capacity)
-{
-    const char *slash = strrchr(path, '/');
-    while (slash && slash > path && slash[-1] != '/')
-        slash--;
-    snprintf(text, capacity, "%s", slash ? slash : path);
-    return text;
-}
-
 /* "right/hash.c" becomes the student, "right-hash" the folder. */
-static int load_submission(const char *path, const char *exercise, struct upload *upload,
-                           struct error *err)
+static int make_upload(const struct known_submission *known, const char *exercise,
+                       struct upload *upload, struct error *err)
 {
-    char name[NAME_MAX * 2];
-    const char *paths[] = {path};
-    if (upload_read_files(paths, 1, exercise, upload, err) != 0)
+    const char *name = strchr(known->file, '/') + 1;
+    upload->student = strdup(known->file);
+    upload->student_folder = strndup(known->file, strlen(known->file) - strlen(".c"));
+    upload->exercise = exercise;
+    if (!upload->student || !upload->student_folder)
+        return error_set(err, "out of memory");
+    upload->student_folder[name - 1 - known->file] = '-';
+    if (upload_take_source(upload, name, strlen(name), known->text, known->count, err) != 0)
         return -1;
-    last_parts(path, name, sizeof name);
-    free(upload->student);
-    free(upload->student_folder);
-    upload->student = strdup(name);
-    name[strlen(name) - 2] = '\0';
-    for (char *at = name; *at; at++)
-        if (*at == '/')
-            *at = '-';
-    upload->student_folder = strdup(name);
-    return upload->student && upload->student_folder ? 0 : error_set(err, "out of memory");
-}
-
-/* Paths of submissions. */
-struct found {
-    char **paths;
-    int count;
-};
-
-static int add_path(struct found *found, const char *folder, const char *name, struct error *err)
-{
-    char **larger = realloc(found->paths, (size_t)(found->count + 1) * sizeof *larger);
-    if (!larger)
-        return error_set(err, "out of memory");
-    found->paths = larger;
-    if (asprintf(&found->paths[found->count], "%s/%s", folder, name) < 0)
-        return error_set(err, "out of memory");
-    found->count++;
+    upload_settle(upload);
     return 0;
 }
 
-static int find_kind(const char *folder, struct found *found, struct error *err)
+static int read_known(const struct exercise *exercise, struct known_list *known, struct error *err)
 {
-    char **names = listing_files(folder, ".c", err);
-    int result = names ? 0 : -1;
-    for (size_t i = 0; result == 0 && names[i]; i++)
-        result = add_path(found, folder, names[i], err);
-    free(names);
-    return result;
-}
-
-static int find_submissions(const struct exercise *exercise, struct found *found, struct error *err)
-{
-    char folder[PATH_MAX], kind[PATH_MAX];
     const char *root = project_root(err);
-    if (!root || file_path(folder, err, "%s/tests/submissions/%s/%s", root, exercise->group,
-                           exercise->name) != 0)
+    if (!root || known_read(root, exercise->group, exercise->name, known, err) != 0)
         return -1;
-    char **kinds = listing_folders(folder, err);
-    int result = kinds ? 0 : -1;
-    for (size_t i = 0; result == 0 && kinds[i]; i++) {
-        result = file_path(kind, err, "%s/%s", folder, kinds[i]);
-        if (result == 0)
-            result = find_kind(kind, found, err);
+    if (known->count == 0)
+        return error_set(err, "%s/tests/submissions/%s/%s: no submission to validate %s with", root,
+                         exercise->group, exercise->name, exercise->name);
+    return 0;
+}
+
+/* Whether a file is called so: "wrong/a.c", "wrong/a", or as it is stored. */
+static bool is_called(const struct known_submission *submission, const char *name, size_t length)
+{
+    size_t whole = strlen(submission->file), stored = strlen(submission->stored);
+    return (length == whole && strncmp(submission->file, name, length) == 0) ||
+           (length == whole - strlen(".c") && strncmp(submission->file, name, length) == 0) ||
+           (length < stored && submission->stored[stored - length - 1] == '/' &&
+            strncmp(submission->stored + stored - length, name, length) == 0 &&
+            memchr(name, '/', length) != NULL);
+}
+
+/* Leaves those that --only names. */
+static int keep_only(struct plan *plan, struct known_list *known, struct error *err)
+{
+    bool *kept = calloc((size_t)known->count + 1, sizeof *kept);
+    int result = kept ? 0 : error_set(err, "out of memory");
+    for (const char *name = plan->only; *name && result == 0;) {
+        size_t length = strcspn(name, ",");
+        bool found = false;
+        for (int i = 0; i < known->count; i++) {
+            bool is_this = is_called(&known->submissions[i], name, length);
+            found |= is_this;
+            kept[i] |= is_this;
+        }
+        if (!found) {
+            plan->is_usage_error = true;
+            result = error_set(err, "--only %.*s: no such submission; name it as wrong/FILE.c",
+                               (int)length, name);
+        }
+        name += length + (name[length] == ',');
     }
-    free(kinds);
-    if (result == 0 && found->count == 0)
-        result = error_set(err, "%s: no submission to validate %s with (KIND/NAME.c)", folder,
-                           exercise->name);
+    if (result == 0)
+        known_keep(known, kept);
+    free(kept);
     return result;
 }
 
-static void found_release(struct found *found)
+/* Writes the whole files below <folder>/<group>/<exercise>/. */
+static int expand(const struct exercise *exercise, const char *folder, struct error *err)
 {
-    for (int i = 0; i < found->count; i++)
-        free(found->paths[i]);
-    free(found->paths);
-}
-
-static int load_submissions(const struct exercise *exercise, struct upload_list *list,
-                            struct found *found, struct error *err)
-{
-    if (find_submissions(exercise, found, err) != 0)
-        return -1;
-    list->uploads = calloc((size_t)found->count, sizeof *list->uploads);
-    for (int i = 0; list->uploads && i < found->count; i++) {
-        if (load_submission(found->paths[i], exercise->name, &list->uploads[i], err) != 0)
-            return -1;
-        list->count++;
-    }
-    return list->uploads ? 0 : error_set(err, "out of memory");
+    struct known_list known = {0};
+    char path[PATH_MAX];
+    int result = read_known(exercise, &known, err);
+    if (snprintf(path, sizeof path, "%s/%s/%s", folder, exercise->group, exercise->name) >=
+        (int)sizeof path)
+        result = error_set(err, "%s: the path is too long", folder);
+    if (result == 0)
+        result = known_write(&known, path, err);
+    known_release(&known);
+    return result;
 }
 
 /* ----------------------------------------------------------------- judging */
 
-static bool has_margin(const json_t *result, char *why, size_t capacity)
+/* What became of a submission. */
+struct finding {
+    bool is_met, is_as_before;
+    char failed[STAMP_TEXT]; /* classes, when it is met */
+};
+
+/* An exercise being validated. */
+struct subject {
+    const struct exercise *exercise;
+    struct known_list known;
+    struct finding *findings; /* one a submission */
+    struct stamps stamps;
+    bool remembers; /* stamps are open */
+};
+
+static void open_stamps(const struct plan *plan, struct subject *subject)
 {
-    static const char *const bands[] = {"work", "memory"};
-    for (int i = 0; i < 2; i++) {
-        const json_t *band = json_object_get(json_object_get(result, "measures"), bands[i]);
-        double ratio = json_number_value(json_object_get(band, "ratio"));
-        double limit = json_number_value(json_object_get(band, "band"));
-        if (!band || ratio * MARGIN <= limit)
-            continue;
-        snprintf(why, capacity, "%s is %.3g of at most %.3g: less than the margin of %.2f",
-                 bands[i], ratio, limit, MARGIN);
-        return false;
+    struct error err = {""};
+    const char *root = project_root(&err);
+    subject->remembers = root && plan->machine[0] &&
+                         stamps_open(root, subject->exercise, plan->seed, plan->machine,
+                                     &subject->stamps, &err) == 0;
+    for (int i = 0; i < subject->known.count && subject->remembers; i++) {
+        struct finding *finding = &subject->findings[i];
+        finding->is_as_before =
+            !plan->again &&
+            stamps_hold(&subject->stamps, &subject->known.submissions[i], finding->failed);
+        finding->is_met = finding->is_as_before;
     }
-    return true;
 }
 
-static bool is_met(const struct expectation *expected, const json_t *result, char *why,
-                   size_t capacity)
+/* A full pass: nothing was left unmeasured. Stamps only when nothing that the verdict depends on
+ * was edited while it was made. */
+static int put_stamps(const struct plan *plan, const struct subject *subject, struct error *err)
 {
-    const char *verdict = json_string_value(json_object_get(result, "verdict"));
-    if (strcmp(verdict, expected->verdict) != 0) {
-        const json_t *summary = json_object_get(result, "summary");
-        snprintf(why, capacity, "is %s (%s: %s), expected %s", verdict,
-                 json_string_value(json_object_get(result, "cause")),
-                 json_string_value(json_object_get(summary, "en")), expected->verdict);
-        return false;
-    }
-    if (!expectation_failures_match(expected, result, why, capacity))
-        return false;
-    return strcmp(verdict, verdict_name(VERDICT_PASSED)) != 0 || has_margin(result, why, capacity);
-}
-
-static int compare(const struct exercise *exercise, struct store *store,
-                   const struct upload_list *list, const struct found *found, struct tally *tally,
-                   struct error *err)
-{
-    for (int i = 0; i < list->count; i++) {
-        struct expectation expected;
-        char why[1200] = "";
-        json_t *result;
-        const struct upload *upload = &list->uploads[i];
-        if (expectation_read(found->paths[i], &expected, err) != 0 ||
-            store_find(store, upload->student_folder, exercise->name, NULL, &result, err) != 0)
+    struct stamps now;
+    struct error ignored = {""};
+    const char *root = project_root(err);
+    if (!subject->remembers ||
+        stamps_open(root, subject->exercise, plan->seed, plan->machine, &now, &ignored) != 0 ||
+        strcmp(now.circumstances, subject->stamps.circumstances) != 0)
+        return 0;
+    for (int i = 0; i < subject->known.count; i++) {
+        const struct finding *finding = &subject->findings[i];
+        if (finding->is_met && !finding->is_as_before &&
+            stamps_put(&now, &subject->known.submissions[i], finding->failed, err) != 0)
             return -1;
-        bool met = result && is_met(&expected, result, why, sizeof why);
-        tally->met += met;
-        tally->missed += !met;
-        if (!met)
-            printf("not as expected: %s %s %s\n", exercise->name, upload->student, why);
-        else if (tally->verbose)
-            printf("as expected: %s %s is %s, %.4g points\n", exercise->name, upload->student,
-                   expected.verdict, json_number_value(json_object_get(result, "score")));
-        json_decref(result);
     }
     return 0;
 }
 
-static int validate(const struct exercise *exercise, uint32_t seed, long jobs, struct tally *tally,
-                    struct error *err)
+static int compare(struct plan *plan, struct subject *subject, struct store *store,
+                   const struct upload *upload, int index, bool *is_whole, struct error *err)
+{
+    const struct expectation *expected = &subject->known.submissions[index].expected;
+    struct finding *finding = &subject->findings[index];
+    const char *exercise = subject->exercise->name;
+    char why[1200] = "no result";
+    json_t *result;
+    if (store_find(store, upload->student_folder, exercise, NULL, &result, err) != 0)
+        return -1;
+    finding->is_met = result && expectation_is_met(expected, result, why, sizeof why);
+    *is_whole &= json_array_size(json_object_get(result, "not_measured")) == 0;
+    expectation_failed_classes(result, finding->failed, sizeof finding->failed);
+    if (!finding->is_met)
+        printf("not as expected: %s %s %s\n", exercise, upload->student, why);
+    else if (plan->verbose)
+        printf("as expected: %s %s is %s, %.4g points\n", exercise, upload->student,
+               expected->verdict, json_number_value(json_object_get(result, "score")));
+    json_decref(result);
+    return 0;
+}
+
+static int make_uploads(const struct subject *subject, struct upload_list *list, struct error *err)
+{
+    list->uploads = calloc((size_t)subject->known.count + 1, sizeof *list->uploads);
+    if (!list->uploads)
+        return error_set(err, "out of memory");
+    for (int i = 0; i < subject->known.count; i++)
+        if (!subject->findings[i].is_as_before &&
+            make_upload(&subject->known.submissions[i], subject->exercise->name,
+                        &list->uploads[list->count++], err) != 0)
+            return -1;
+    return 0;
+}
+
+/* Grades what no stamp says. */
+static int grade(struct plan *plan, struct subject *subject, struct error *err)
 {
     struct upload_list list = {0};
     struct store store = {NULL};
-    struct found found = {0};
     char folder[PATH_MAX] = "";
-    int result = load_submissions(exercise, &list, &found, err);
+    bool is_whole = true;
+    int result = make_uploads(subject, &list, err);
     if (result == 0)
         result = folder_make_work(folder, err);
     if (result == 0)
         result = store_open(&store, folder, err);
-    struct classroom classroom = {.exercises = exercise,
+    struct classroom classroom = {.exercises = subject->exercise,
                                   .exercise_count = 1,
                                   .uploads = &list,
                                   .store = &store,
-                                  .seed = seed,
-                                  .job_count = (int)jobs};
+                                  .seed = plan->seed,
+                                  .job_count = (int)plan->jobs};
     if (result == 0)
         result = classroom_grade(&classroom, err);
-    if (result == 0)
-        result = compare(exercise, &store, &list, &found, tally, err);
+    for (int i = 0, next = 0; i < subject->known.count && result == 0; i++)
+        if (!subject->findings[i].is_as_before)
+            result = compare(plan, subject, &store, &list.uploads[next++], i, &is_whole, err);
     store_close(&store);
     folder_remove_work(folder);
     upload_list_release(&list);
-    found_release(&found);
+    return result == 0 && is_whole ? put_stamps(plan, subject, err) : result;
+}
+
+/* ------------------------------------------------------------------ the set */
+
+static void miss(struct plan *plan, const struct exercise *exercise, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void miss(struct plan *plan, const struct exercise *exercise, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    printf("not as expected: tests/submissions/%s/%s: ", exercise->group, exercise->name);
+    vprintf(format, arguments);
+    putchar('\n');
+    va_end(arguments);
+    plan->lacks++;
+}
+
+static int count_kind(const struct subject *subject, const char *kind)
+{
+    int count = 0;
+    for (int i = 0; i < subject->known.count; i++)
+        count += known_is(&subject->known.submissions[i], kind);
+    return count;
+}
+
+static bool fails_alone(const struct subject *subject, const char *class)
+{
+    for (int i = 0; i < subject->known.count; i++)
+        if (subject->findings[i].is_met && strcmp(subject->findings[i].failed, class) == 0)
+            return true;
+    return false;
+}
+
+/* Whether the submissions can tell a judge that works from one that does not. */
+static void check_set(struct plan *plan, const struct subject *subject)
+{
+    const struct exercise *exercise = subject->exercise;
+    int right = count_kind(subject, "right");
+    if (right < RIGHT_LEAST)
+        miss(plan, exercise, "%d right answer%s; write %d by different methods in right/", right,
+             plural_ending(right), RIGHT_LEAST);
+    if (exercise->checked[CHECK_GROWTH] && count_kind(subject, "slow") == 0)
+        miss(plan, exercise, "growth is judged and nothing is slow; write one in slow/");
+    for (int i = 0; i < exercise->class_count; i++)
+        if (!fails_alone(subject, exercise->classes[i].name))
+            miss(plan, exercise, "no submission fails just class %s; write one in wrong/",
+                 exercise->classes[i].name);
+}
+
+static int validate(struct plan *plan, const struct exercise *exercise, struct error *err)
+{
+    struct subject subject = {.exercise = exercise};
+    int result = read_known(exercise, &subject.known, err), to_do = 0;
+    if (result == 0 && plan->only)
+        result = keep_only(plan, &subject.known, err);
+    subject.findings = calloc((size_t)subject.known.count + 1, sizeof *subject.findings);
+    if (result == 0 && !subject.findings)
+        result = error_set(err, "out of memory");
+    if (result == 0)
+        open_stamps(plan, &subject);
+    for (int i = 0; i < subject.known.count && result == 0; i++)
+        to_do += !subject.findings[i].is_as_before;
+    if (result == 0 && to_do > 0)
+        result = grade(plan, &subject, err);
+    for (int i = 0; i < subject.known.count && result == 0; i++) {
+        plan->met += subject.findings[i].is_met;
+        plan->missed += !subject.findings[i].is_met;
+        plan->as_before += subject.findings[i].is_as_before;
+        if (plan->verbose && subject.findings[i].is_as_before)
+            printf("as before: %s %s\n", exercise->name, subject.known.submissions[i].file);
+    }
+    if (result == 0 && !plan->only)
+        check_set(plan, &subject);
+    free(subject.findings);
+    known_release(&subject.known);
     return result;
+}
+
+static int run_plan(struct plan *plan, const struct exercise *exercises, int count,
+                    const char *name)
+{
+    struct error err = {""};
+    int result = 0;
+    if (!plan->folder && stamps_machine(plan->machine, &err) != 0) {
+        fprintf(stderr, "meshgrade: %s: nothing is remembered\n", err.text);
+        err.text[0] = '\0';
+    }
+    for (int i = 0; i < count && result == 0; i++)
+        if (!name || strcmp(exercises[i].name, name) == 0)
+            result = plan->folder ? expand(&exercises[i], plan->folder, &err)
+                                  : validate(plan, &exercises[i], &err);
+    if (plan->is_usage_error) {
+        fprintf(stderr, "meshgrade: %s\n", err.text);
+        return EXIT_USAGE;
+    }
+    if (plan->as_before > 0)
+        printf("%d of %d as before; --again grades all\n", plan->as_before,
+               plan->met + plan->missed);
+    if (!plan->folder)
+        printf("%d submission%s as expected, %d not\n", plan->met, plural_ending(plan->met),
+               plan->missed);
+    return result != 0                           ? report_fault(&err)
+           : plan->missed > 0 || plan->lacks > 0 ? EXIT_NOT_PASSED
+                                                 : EXIT_PASSED;
 }
 
 static int run(int argc, char **argv)
 {
     const char *jobs_text = NULL, *seed_text = NULL;
-    uint32_t seed;
-    struct tally tally = {0};
+    struct plan plan = {0};
     const struct option_rule rules[] = {
+        {"only", 0, "FILE,...", "just these of the exercise: wrong/a,right/b", &plan.only, NULL},
+        {"again", 0, NULL, "also what got its verdict before and did not change", NULL,
+         &plan.again},
         {"jobs", 'j', "N", "submissions at a time (default: one a core)", &jobs_text, NULL},
         {"seed", 0, "N", "as a class of this seed is graded (default: the published seeds)",
          &seed_text, NULL},
-        {"verbose", 'v', NULL, "a line also for what is as expected", NULL, &tally.verbose},
+        {"expand", 0, "DIR", "only write the submissions to DIR, each as a whole file",
+         &plan.folder, NULL},
+        {"verbose", 'v', NULL, "a line also for what is as expected", NULL, &plan.verbose},
         {0}};
     struct exercise *exercises = NULL;
-    struct error err = {""};
     int count, code = EXIT_USAGE;
     int at = options_parse(&command_validate, rules, argc, argv);
-    long jobs = options_number("jobs", jobs_text, 1, sysconf(_SC_NPROCESSORS_ONLN));
-    if (at < 0 || jobs < 0 || options_seed(seed_text, SEED_PUBLISHED, &seed) != 0 ||
-        load_exercises(&exercises, &count) != 0)
+    plan.jobs = options_number("jobs", jobs_text, 1, sysconf(_SC_NPROCESSORS_ONLN));
+    if (at < 0 || plan.jobs < 0 || options_seed(seed_text, SEED_PUBLISHED, &plan.seed) != 0)
         return EXIT_USAGE;
-    if (at >= argc || need_exercise(exercises, count, argv[at])) {
-        int result = 0;
-        for (int i = 0; i < count && result == 0; i++)
-            if (at >= argc || strcmp(exercises[i].name, argv[at]) == 0)
-                result = validate(&exercises[i], seed, jobs, &tally, &err);
-        printf("%d submissions as expected, %d not\n", tally.met, tally.missed);
-        code = result != 0 ? report_fault(&err) : tally.missed ? EXIT_NOT_PASSED : EXIT_PASSED;
+    const char *name = at < argc ? argv[at] : NULL;
+    if (plan.only && !name) {
+        fputs("meshgrade: --only: name the exercise, too\n", stderr);
+        return EXIT_USAGE;
     }
+    if (load_exercises(&exercises, &count) != 0)
+        return EXIT_USAGE;
+    if (!name || need_exercise(exercises, count, name))
+        code = run_plan(&plan, exercises, count, name);
     free(exercises);
     return code;
 }

@@ -115,7 +115,7 @@ static void finish_job(struct job *job, struct outcome *outcome, struct error *f
 static void digest_of(const struct upload *upload, char digest[STORE_DIGEST])
 {
     struct source *sources = sources_of(upload);
-    store_digest(sources, sources ? upload->file_count : 0, upload->refusal.message, digest);
+    store_digest(sources, sources ? upload->file_count : 0, upload->refusal.message.en, digest);
     free(sources);
 }
 
@@ -179,11 +179,10 @@ static int keep_refusal(struct classroom *classroom, const struct exercise *exer
 static int keep_fault(struct classroom *classroom, const struct exercise *exercise,
                       const struct upload *upload, const struct error *fault, struct error *err)
 {
-    struct refusal why = {.refused = true, .cause = "harness"};
-    snprintf(why.message, sizeof why.message,
-             "The grader failed, not the submission; it is not scored: %.300s", fault->text);
-    snprintf(why.message_es, sizeof why.message_es,
-             "Falló el corrector, no la entrega; no se puntúa: %.300s", fault->text);
+    static const struct cause harness = {"harness", {"grader", "corrector"}};
+    struct refusal why = {0};
+    refuse(&why, &harness, "The grader failed, not the submission, which gets no score: %s",
+           "Falló el corrector, no la entrega, que queda sin puntuar: %s", fault->text);
     return keep_without_trial(classroom, exercise, upload, VERDICT_FAULT, &why, err);
 }
 

@@ -2,7 +2,7 @@
 #ifndef GRADERS_JUDGES_TABLE_H
 #define GRADERS_JUDGES_TABLE_H
 
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 /* NULL-terminated. */
 extern const struct judge *const judge_table[];

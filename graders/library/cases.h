@@ -15,7 +15,7 @@
 #ifndef GRADERS_LIBRARY_CASES_H
 #define GRADERS_LIBRARY_CASES_H
 
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 #define CASES_CLOSED(seed)                                                                         \
     {"tetrahedron", "closed", (seed), PUBLIC | QUICK, .mesh = {SHAPE_TETRAHEDRON}},                \

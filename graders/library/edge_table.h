@@ -3,7 +3,7 @@
 #ifndef GRADERS_LIBRARY_EDGE_TABLE_H
 #define GRADERS_LIBRARY_EDGE_TABLE_H
 
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 /* What such a function answers: a count, and a table made with malloc. */
 #define EDGE_TABLE_ANSWER(name)                                                                    \

@@ -6,7 +6,7 @@
 #ifndef GRADERS_LIBRARY_FORMULA_H
 #define GRADERS_LIBRARY_FORMULA_H
 
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 /* A usual mistake: the value that it leads to. Hints are whole sentences. */
 struct formula_mistake {

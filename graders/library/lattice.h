@@ -6,14 +6,33 @@
 #ifndef GRADERS_LIBRARY_LATTICE_H
 #define GRADERS_LIBRARY_LATTICE_H
 
-#include "reference/base/error.h"
+#include "graders/library/cells.h"
+#include "graders/library/questions.h"
 
-#include <stdbool.h>
-#include <stdint.h>
+/* How many rows and columns formulas of grids are asked for. */
+extern const struct question_rows lattice_few;   /* the course's figure */
+extern const struct question_rows lattice_many;  /* values of 32 bits */
+extern const struct question_rows lattice_large; /* values above, up to 100 000 000 a side */
+
+/* Counts of a grid that was built as an indexed mesh. */
+extern const struct built_count lattice_vertex_count, lattice_triangle_count;
+
+/* What a grid of m rows of n cells has, and the bytes of it as an indexed mesh. */
+int64_t lattice_vertices(int64_t m, int64_t n);
+int64_t lattice_triangles(int64_t m, int64_t n);
+int64_t lattice_mesh_bytes(int64_t m, int64_t n);
+
+/* Sizes: grids of exactly so many vertices, square (or nearly), of one row and of one column. */
+extern const struct size_family lattice_families[];
+
+/* Asks a builder for the grid of a size of one of these families: its numbers are m, n and `looks`.
+ * There is one grid of each size and shape. Returns 0, or -1 and *err (no such grid). */
+int lattice_make_sized(const struct question *build, int64_t looks, int family,
+                       int64_t vertex_count, struct writer *input, struct error *err) MUST_CHECK;
 
 struct lattice {
     int32_t m, n;
-    uint8_t *halves; /* of m * n cells: bit 0 ... 3, the half without that corner is covered */
+    uint8_t *halves; /* of m * n cells (cells.h) */
 };
 
 /* m, n >= 1 and m * n <= INT32_MAX. Returns 0, or -1 and *err. Ends with lattice_release. */
@@ -24,25 +43,29 @@ void lattice_release(struct lattice *lattice);
  * looked at. */
 int32_t lattice_nearest(const struct lattice *lattice, const float position[3]);
 
-/* Whether a position is within `tolerance` of lattice point `point` in each coordinate. */
-bool lattice_is_at(const struct lattice *lattice, int32_t point, const float position[3],
-                   double tolerance);
+/* The lattice point of a position that is within 0.00001 of it in each coordinate, else -1. */
+int32_t lattice_point_at(const struct lattice *lattice, const float position[3]);
 
-/* How a triangle fits, after it was added. Only HALF and HALF_FLIPPED cover anything. */
-enum lattice_fit {
-    LATTICE_HALF,         /* half a cell, counter-clockwise seen from +z */
-    LATTICE_HALF_FLIPPED, /* half a cell, clockwise */
-    LATTICE_REPEATED,     /* this half was covered before */
-    LATTICE_CROSSED,      /* it overlaps a half that was cut by the other diagonal */
-    LATTICE_OUTSIDE       /* not half a cell: its corners are not three corners of one cell */
-};
+/* Rejects a position that is at no lattice point. subject begins the sentence: "Vertex 3". */
+void lattice_reject_place(const struct lattice *lattice, const struct message *subject,
+                          const float position[3], struct judgement *out);
 
-/* Adds a triangle of three lattice points (-1 is allowed: OUTSIDE). *cell gets the number r * n + c
- * of its cell, -1 when it has none. */
-enum lattice_fit lattice_add(struct lattice *lattice, int32_t a, int32_t b, int32_t c,
-                             int32_t *cell);
+/* Adds a triangle of three lattice points (-1 is allowed: CELL_OUTSIDE). *cell gets the number r *
+ * n + c of its cell, -1 when it has none. */
+enum cell_fit lattice_add(struct lattice *lattice, const int32_t point[3], int32_t *cell);
 
-/* The first cell that is not covered by two halves, -1 when there is none. */
-int32_t lattice_first_uncovered(const struct lattice *lattice);
+/* Rejects, when some cell is not covered by two halves, and names the first. */
+void lattice_judge_cover(const struct lattice *lattice, struct judgement *out);
+
+/* What of a grid is looked at. */
+enum { LATTICE_VERTICES = 1, LATTICE_TRIANGLES = 2 };
+
+/* Judges a grid that was built as an indexed mesh, with the right counts and both tables. Asked: m,
+ * n and what is looked at. Vertices: every lattice point has exactly one. Triangles: they cover
+ * every cell once, counter-clockwise seen from above (vertices are taken for the point next to
+ * them). Accepts, or rejects, names the first element at fault, marks all and shows the mesh.
+ * Returns 0, or -1 and *err (out of memory). */
+int lattice_judge_mesh(const int64_t asked[3], const struct built_mesh *mesh, struct judgement *out,
+                       struct error *err) MUST_CHECK;
 
 #endif

@@ -37,8 +37,8 @@
  * 2. Answers: what it gives back
  *
  *   answer.h    declared once; read, bounded and looked through before judge() is called. Tables of
- *               k numbers, several of them, rows of unequal length, arrays of the caller's, a count,
- *               a status, a real; NULL, negative or huge counts, offsets and indices out of range are
+ *               k numbers, several of them, rows of unequal length, arrays of the caller's, a
+ * count, a status, a real; NULL, negative or huge counts, offsets and indices out of range are
  *               named there, for all exercises in the same words
  *   questions.h exercises that ask several formulas, numbers and builders; formula.h judges these
  *   a judge that declares no answer reads task->said by a struct reader (wire/packet.h)
@@ -71,18 +71,18 @@
  * 5. Showing it (graders/scene)
  *
  *     task_show(task, out, err);                                  the input
- *     scene_mark_edge(&out->scene, MARK_MISSING, a, b);           the first mark is what the verdict
- *     scene_mark_arrow(&out->scene, MARK_WRONG, a, b);            names: pictures magnify it
+ *     scene_mark_edge(&out->scene, MARK_MISSING, a, b);           the first mark is what the
+ * verdict scene_mark_arrow(&out->scene, MARK_WRONG, a, b);            names: pictures magnify it
  *     scene_mark_path(&out->scene, mark_turn(i), vertices, n, true);
  *     scene_label_face(&out->scene, corners, n, number);
  */
 #ifndef GRADERS_LIBRARY_LIBRARY_H
 #define GRADERS_LIBRARY_LIBRARY_H
 
-#include "graders/judges/judge.h"
 #include "graders/library/cases.h"
 #include "graders/library/cycles.h"
 #include "graders/library/edge_table.h"
+#include "graders/library/judge.h"
 #include "graders/library/lattice.h"
 #include "graders/library/mesh_area.h"
 #include "graders/library/partition.h"

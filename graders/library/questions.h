@@ -13,8 +13,8 @@
 #ifndef GRADERS_LIBRARY_QUESTIONS_H
 #define GRADERS_LIBRARY_QUESTIONS_H
 
-#include "graders/judges/judge.h"
 #include "graders/library/formula.h"
+#include "graders/library/judge.h"
 
 enum { QUESTION_NAME_BYTES = 32 };
 

@@ -9,26 +9,19 @@
 #ifndef GRADERS_LIBRARY_SPHERE_H
 #define GRADERS_LIBRARY_SPHERE_H
 
-#include "graders/judges/judge.h"
+#include "graders/library/built.h"
 
-/* What a student returned: both tables, borrowed, with all k * k vertices and any number of
- * triangles. */
-struct sphere_mesh {
-    int32_t k; /* at least 3 */
-    const float *vertices;
-    const int32_t *triangles;
-    int64_t triangle_count;
-};
-
-/* Each place has its vertex, within 0.00001, and each pole has k. Accepts, or rejects, names the
- * first vertex at fault and shows all. Returns 0, or -1 and *err (out of memory). */
-int sphere_judge_vertices(const struct sphere_mesh *mesh, struct judgement *out,
+/* Judge what was built, with all k * k vertices, k >= 3, and, for triangles, their table. A
+ * rejection names the first element at fault, marks all and shows the mesh; nothing is accepted
+ * here. Return 0, or -1 and *err (out of memory).
+ *
+ * Vertices: each place has its vertex, within 0.00001, and each pole has k. */
+int sphere_judge_vertices(int32_t k, const struct built_mesh *mesh, struct judgement *out,
                           struct error *err) MUST_CHECK;
 
-/* The triangles cover the sphere once, from outside counter-clockwise. Vertices are taken for the
- * place next to them, however far. Accepts, or rejects, names the first triangle (or cell) at fault
- * and shows all. Returns 0, or -1 and *err (out of memory). */
-int sphere_judge_triangles(const struct sphere_mesh *mesh, struct judgement *out,
+/* Triangles: they cover the sphere once, from outside counter-clockwise. Vertices are taken for the
+ * place next to them, however far. */
+int sphere_judge_triangles(int32_t k, const struct built_mesh *mesh, struct judgement *out,
                            struct error *err) MUST_CHECK;
 
 /* The mesh as it should be, vertex i of meridian j as number j * k + i. The caller owns it. Returns

@@ -1,5 +1,6 @@
 /* See job.hpp. */
 #include "graders/render/job.hpp"
+#include "graders/render/json_values.hpp"
 #include "graders/render/text.hpp"
 
 #include <algorithm>
@@ -12,13 +13,14 @@ namespace
 {
 const int side_least = 64, side_most = 4096;
 
-std::string text_at(const json_t *json, const char *key)
+/* As it stands: paths may be long. */
+std::string string_at(const json_t *json, const char *key)
 {
     const json_t *value = json_object_get(json, key);
     return json_is_string(value) ? std::string(json_string_value(value)) : "";
 }
 
-int integer_at(const json_t *json, const char *key, int otherwise, int least, int most)
+int bounded_at(const json_t *json, const char *key, int otherwise, int least, int most)
 {
     const json_t *value = json_object_get(json, key);
     if (!json_is_integer(value))
@@ -35,25 +37,27 @@ std::string located(const std::filesystem::path &folder, const std::string &path
 picture_job read_picture(const json_t *json, const std::filesystem::path &folder)
 {
     picture_job one;
-    one.scene_path = located(folder, text_at(json, "scene"));
-    one.out_path = located(folder, text_at(json, "out"));
-    one.size.width = integer_at(json, "width", one.size.width, side_least, side_most);
-    one.size.height = integer_at(json, "height", one.size.height, side_least, side_most);
+    one.scene_path = located(folder, string_at(json, "scene"));
+    one.out_path = located(folder, string_at(json, "out"));
+    one.language = string_at(json, "language");
+    one.size.width = bounded_at(json, "width", one.size.width, side_least, side_most);
+    one.size.height = bounded_at(json, "height", one.size.height, side_least, side_most);
     return one;
 }
 
-sheet_job read_sheet(const json_t *json, const std::filesystem::path &folder)
+sheet_job read_sheet(json_t *json, const std::filesystem::path &folder)
 {
     sheet_job one;
-    one.content.title = text_at(json, "title");
-    one.content.subtitle = text_at(json, "subtitle");
-    one.content.columns = integer_at(json, "columns", one.content.columns, 1, 100);
-    one.out_path = located(folder, text_at(json, "out"));
+    choose_language(json, string_at(json, "language"));
+    one.content.title = string_at(json, "title");
+    one.content.subtitle = string_at(json, "subtitle");
+    one.content.columns = bounded_at(json, "columns", one.content.columns, 1, 100);
+    one.out_path = located(folder, string_at(json, "out"));
     const json_t *cells = json_object_get(json, "cells");
     for (size_t i = 0; i < json_array_size(cells); i++) {
         const json_t *cell = json_array_get(cells, i);
         one.content.cells.push_back(
-            {located(folder, text_at(cell, "picture")), text_at(cell, "caption")});
+            {located(folder, string_at(cell, "picture")), string_at(cell, "caption")});
     }
     return one;
 }
@@ -63,7 +67,7 @@ void make_picture(const picture_job &one)
     scene shown;
     image picture;
     try {
-        read_scene(one.scene_path, shown);
+        read_scene(one.scene_path, one.language, shown);
         picture = draw_scene(shown, one.size);
     } catch (const not_showable &why) {
         picture = draw_tile(shown, std::string("Cannot be shown: ") + why.what(), one.size);
@@ -106,7 +110,7 @@ job read_job(const std::string &path)
     const json_t *pictures = json_object_get(json, "pictures");
     for (size_t i = 0; i < json_array_size(pictures); i++)
         work.pictures.push_back(read_picture(json_array_get(pictures, i), folder));
-    const json_t *sheets = json_object_get(json, "sheets");
+    json_t *sheets = json_object_get(json, "sheets");
     for (size_t i = 0; i < json_array_size(sheets); i++)
         work.sheets.push_back(read_sheet(json_array_get(sheets, i), folder));
     bool is_job = json_is_object(json);

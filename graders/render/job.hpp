@@ -9,6 +9,7 @@
 
 struct picture_job {
     std::string scene_path, out_path;
+    std::string language; /* of its words, "en" or "es" */
     picture_size size;
 };
 

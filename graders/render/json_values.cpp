@@ -9,9 +9,42 @@
 static const size_t text_bytes_limit = 300;
 static const size_t point_limit = 10000;
 
+/* The string that takes the place of a value, or null: it is no text in several languages. */
+static json_t *chosen(json_t *value, const std::string &language)
+{
+    json_t *english = json_object_get(value, "en");
+    json_t *text = json_object_get(value, language.c_str());
+    if (!json_is_string(english))
+        return nullptr;
+    return json_is_string(text) ? text : english;
+}
+
+void choose_language(json_t *json, const std::string &language)
+{
+    if (json_is_array(json)) {
+        for (size_t i = 0; i < json_array_size(json); i++) {
+            json_t *value = json_array_get(json, i), *text = chosen(value, language);
+            if (text)
+                json_array_set(json, i, text);
+            else
+                choose_language(value, language);
+        }
+        return;
+    }
+    for (void *at = json_object_iter(json); at; at = json_object_iter_next(json, at)) {
+        json_t *value = json_object_iter_value(at), *text = chosen(value, language);
+        if (text)
+            json_object_iter_set(json, at, text);
+        else
+            choose_language(value, language);
+    }
+}
+
 std::string text_at(const json_t *json, const char *key)
 {
     const json_t *value = json_object_get(json, key);
+    if (json_is_object(value))
+        value = json_object_get(value, "en");
     if (!json_is_string(value))
         return "";
     return clean_text({json_string_value(value), json_string_length(value)}, text_bytes_limit);

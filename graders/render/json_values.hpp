@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+/* Puts one language ("en", "es") in the place of every text that is there in several: a string for
+ * {"en": "...", "es": "..."}. Where that language is absent, English stands. */
+void choose_language(json_t *json, const std::string &language);
+
 /* A text, cleaned and cut; empty when there is none. */
 std::string text_at(const json_t *json, const char *key);
 

@@ -11,8 +11,8 @@ static double mark_reach(const shape &mesh, const mark &one)
 {
     vec3 middle = mark_middle(mesh.points, one);
     double reach = 0;
-    for (int i = 0; i < one.vertex_count(); i++)
-        reach = std::max(reach, length(mesh.points[one.vertex[i]] - middle));
+    for (int32_t v : one.vertex)
+        reach = std::max(reach, length(mesh.points[v] - middle));
     return reach;
 }
 
@@ -35,7 +35,7 @@ std::optional<close_up> choose_close_up(const scene &from, const shape &mesh, co
 {
     const double small = .05; /* of the mesh's diagonal */
     for (const mark &one : from.marks) {
-        if (one.kind == boundary)
+        if (!one.is_fault())
             continue;
         double reach = std::max(mark_reach(mesh, one), 1.2 * mesh.spacing);
         vec3 middle = mark_middle(mesh.points, one), normal = mark_normal(mesh, one);
@@ -64,11 +64,37 @@ static void set_camera(vtkCamera *camera, const close_up &inset)
 static void add_things(vtkRenderer *renderer, const close_up &inset, const scene &from,
                        const shape &mesh, double scale)
 {
-    double radius = .022 * inset.half_width;
+    pen how = {.022 * inset.half_width, 2 * inset.half_width / close_up_side};
     renderer->AddActor(surface_actor(mesh.points, mesh.triangles, palette::surface));
     renderer->AddActor(
         wire_actor(mesh.points, mesh.edges, .9 * scale, palette::wire.with_alpha(.42)));
-    add_marks(renderer, mesh.points, from.marks, radius, finish::lit);
+    add_marks(renderer, mesh.points, from.marks, how, finish::lit);
+}
+
+/* The numbers of the shown element's vertices, and the scene's labels that fall into the frame. */
+static void draw_frame_numbers(paper &sheet, const close_up &inset, const scene &from,
+                               const shape &mesh, point2 centre)
+{
+    const size_t most_vertices = 12;
+    const double units = close_up_side / 2 / inset.half_width, inside = close_up_side / 2 - 10;
+    auto away = [&](vec3 place) {
+        vec3 offset = place - inset.middle;
+        return point2{dot(offset, inset.look.right) * units, -dot(offset, inset.look.up) * units};
+    };
+    for (int32_t v : inset.shown.vertex) {
+        point2 at = away(mesh.points[v]);
+        if (!from.cut && inset.shown.vertex.size() <= most_vertices)
+            draw_label(sheet, {centre.x + at.x, centre.y + at.y}, at, std::to_string(v), false);
+    }
+    for (const label &one : from.labels) {
+        vec3 place = mark_middle(mesh.points, one.at);
+        point2 at = away(place);
+        bool near = std::fabs(dot(place - inset.middle, inset.look.toward)) < inset.half_width;
+        if (one.at.what != element::at_vertex && near && std::fabs(at.x) < inside &&
+            std::fabs(at.y) < inside)
+            draw_sign(sheet, {centre.x + at.x, centre.y + at.y}, std::to_string(one.number),
+                      one.at.is_face() ? sign::circle : sign::box, false);
+    }
 }
 
 /* The frame, the vertices' numbers in it, and a line to the place in the big picture. */
@@ -77,7 +103,7 @@ static void draw_frame(paper &sheet, const close_up &inset, const scene &from, c
 {
     point2 corner = {sheet.width() - corner_right - close_up_side, corner_top};
     point2 centre = {corner.x + close_up_side / 2, corner.y + close_up_side / 2};
-    double ring = 9, units = close_up_side / 2 / inset.half_width;
+    const double ring = 9;
     colour ink = palette::grey_ink;
     sheet.circle(place, ring, 3.8, palette::paper);
     sheet.circle(place, ring, 1.6, ink);
@@ -93,12 +119,7 @@ static void draw_frame(paper &sheet, const close_up &inset, const scene &from, c
                               {corner.x, corner.y + close_up_side}};
     for (int i = 0; i < 4; i++)
         sheet.line(corners[i], corners[(i + 1) % 4], 1.6, ink);
-    for (int i = 0; i < inset.shown.vertex_count() && !from.cut; i++) {
-        vec3 offset = mesh.points[inset.shown.vertex[i]] - inset.middle;
-        point2 away = {dot(offset, inset.look.right) * units, -dot(offset, inset.look.up) * units};
-        draw_label(sheet, {centre.x + away.x, centre.y + away.y}, away,
-                   std::to_string(inset.shown.vertex[i]), false);
-    }
+    draw_frame_numbers(sheet, inset, from, mesh, centre);
 }
 
 void add_close_up(canvas &target, const close_up &inset, const scene &from, const shape &mesh,

@@ -2,6 +2,7 @@
 #ifndef GRADERS_RENDER_MARKS_HPP
 #define GRADERS_RENDER_MARKS_HPP
 
+#include "graders/render/arrows.hpp"
 #include "graders/render/overlay.hpp"
 #include "graders/render/scene.hpp"
 #include "graders/render/shape.hpp"
@@ -10,17 +11,18 @@
 #include <vtkMapper.h>
 #include <vtkRenderer.h>
 
-/* Adds the marks as solids: tubes for edges (dashed when missing, beaded when duplicate, ...),
- * balls for vertices, filled patches with an outline for triangles. `radius` is that of a plain
- * tube. */
+/* Adds the marks as solids: tubes for edges (dashed when missing, beaded when duplicate, ...), with
+ * heads for arrows and paths, balls for vertices, filled patches with an outline for faces. The
+ * pen's radius is that of a plain tube. */
 void add_marks(vtkRenderer *renderer, const std::vector<vec3> &points,
-               const std::vector<mark> &marks, double radius, finish look);
+               const std::vector<mark> &marks, const pen &how, finish look);
 
-/* The radius that suits a mesh: thin against its edges, and yet seen in the picture. */
-double mark_radius(const shape &mesh, double paper_units_per_world_unit);
+/* The pen that suits a mesh: thin against its edges, and yet seen in the picture. */
+pen mark_pen(const shape &mesh, double paper_units_per_world_unit);
 
 /* Outward direction at a mark: the mean of its vertices' normals. */
 vec3 mark_normal(const shape &mesh, const mark &one);
+/* A place on the mark: the mean of its vertices, of a path one of them, of a face within it. */
 vec3 mark_middle(const std::vector<vec3> &points, const mark &one);
 
 /* The triangles that no mark on a triangle covers. */

@@ -84,16 +84,34 @@ void draw_title(paper &sheet, const std::string &title, const std::string &subti
 
 void draw_label(paper &sheet, point2 at, point2 away, const std::string &words, bool muted)
 {
-    const font style = {10.5, weight::semibold, muted ? palette::grey_ink : palette::ink};
-    const double height = 14, reach = 13;
+    const font style = {muted ? 9.5 : 10.5, muted ? weight::regular : weight::semibold,
+                        muted ? palette::grey_ink : palette::ink};
+    const double height = 14, reach = 13, ring = 2.6;
     double size = std::hypot(away.x, away.y);
     point2 unit = size > 0 ? point2{away.x / size, away.y / size} : point2{0, -1};
     double width = sheet.text_width(words, style) + 8;
     double x = at.x + unit.x * (reach + width / 2 - 6), y = at.y + unit.y * reach;
     x = std::clamp(x, width / 2 + 2, sheet.width() - width / 2 - 2);
+    if (muted)
+        sheet.circle(at, ring, 1, palette::grey_ink.with_alpha(.7));
     sheet.rounded({x - width / 2, y - height / 2}, width, height, height / 2,
                   palette::paper.with_alpha(muted ? .45 : .82));
     sheet.text({x, y + 3.8}, words, style, align::centre);
+}
+
+void draw_sign(paper &sheet, point2 at, const std::string &words, sign shape, bool muted)
+{
+    const font style = {11, weight::semibold, muted ? palette::grey_ink : palette::ink};
+    const double height = 17, rim = 1.2;
+    double width = std::max(sheet.text_width(words, style) + (shape == sign::box ? 7 : 9), height);
+    double radius = shape == sign::box ? 1.5 : height / 2;
+    point2 corner = {std::clamp(at.x - width / 2, 3.0, sheet.width() - width - 3),
+                     at.y - height / 2};
+    colour ink = muted ? palette::pale_ink : palette::ink;
+    sheet.rounded({corner.x - rim, corner.y - rim}, width + 2 * rim, height + 2 * rim, radius + rim,
+                  ink.with_alpha(muted ? .6 : 1));
+    sheet.rounded(corner, width, height, radius, palette::paper.with_alpha(muted ? .9 : 1));
+    sheet.text({corner.x + width / 2, at.y + 4}, words, style, align::centre);
 }
 
 void draw_legend(paper &sheet, const std::vector<legend_entry> &entries)

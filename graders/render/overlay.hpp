@@ -23,8 +23,13 @@ void draw_title(paper &sheet, const std::string &title, const std::string &subti
 /* Entries from the right in as many rows as needed, growing upwards from the bottom edge. */
 void draw_legend(paper &sheet, const std::vector<legend_entry> &entries);
 
-/* A number in a pill, for naming a vertex where it is seen; `away` is the direction to put it. */
+/* A plain number beside a vertex; `away` is the direction to put it. Muted: the vertex is hidden,
+ * and a ring shows where it is. */
 void draw_label(paper &sheet, point2 at, point2 away, const std::string &words, bool muted);
+
+/* The number of an edge in a box, of a face in a circle, over its middle. */
+enum class sign { box, circle };
+void draw_sign(paper &sheet, point2 at, const std::string &words, sign shape, bool muted);
 
 /* The three axes as seen from the camera, in the lower left corner. */
 void draw_axes(paper &sheet, const view &look);

@@ -35,11 +35,15 @@ inline constexpr colour surface = {230, 236, 245};
 inline constexpr colour back_face = {244, 208, 170};
 inline constexpr colour wire = {26, 36, 51};
 
-/* By enum mark_kind: missing, duplicate, extra, degenerate, boundary, flipped, wrong. */
-inline constexpr colour marks[] = {{214, 32, 47}, {232, 116, 0}, {190, 25, 160}, {0, 104, 190},
-                                   {240, 196, 0}, {0, 140, 110}, {60, 40, 120}};
+/* By enum mark_kind: missing, duplicate, extra, degenerate, boundary, flipped, wrong, right, and
+ * the six turn colours, which are no fault: darker and duller, so that faults stand out among them.
+ */
+inline constexpr colour marks[] = {{214, 32, 47},  {232, 116, 0},  {190, 25, 160},  {0, 104, 190},
+                                   {240, 196, 0},  {168, 62, 22},  {60, 40, 120},   {0, 128, 96},
+                                   {66, 110, 170}, {146, 112, 48}, {104, 178, 214}, {112, 122, 138},
+                                   {120, 132, 62}, {180, 124, 152}};
 
-/* Strips in turn; no green, which flipped triangles have. */
+/* Strips in turn. */
 inline constexpr colour strips[] = {{86, 160, 211},  {240, 186, 92},  {158, 150, 206},
                                     {236, 226, 128}, {214, 140, 178}, {178, 192, 202}};
 

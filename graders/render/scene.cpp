@@ -3,18 +3,21 @@
 #include "graders/render/figure_reader.hpp"
 #include "graders/render/json_values.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 
-const char *const mark_names[mark_kind_count] = {"missing",  "duplicate", "extra", "degenerate",
-                                                 "boundary", "flipped",   "wrong"};
+const char *const mark_names[mark_kind_count] = {
+    "missing", "duplicate", "extra",  "degenerate", "boundary", "flipped", "wrong",
+    "right",   "turn-0",    "turn-1", "turn-2",     "turn-3",   "turn-4",  "turn-5"};
 
 namespace
 {
 const int64_t vertex_limit = 2000000, triangle_limit = 1000000, strip_limit = 100000;
-const int64_t mark_limit = 4000, curve_limit = 12, voxel_side_limit = 256;
+const int64_t mark_limit = 4000, label_limit = 1000, path_limit = 10000, curve_limit = 12,
+              voxel_side_limit = 256;
 const uintmax_t file_bytes_limit = 256u << 20;
 const double exponent_limit = 100;
 
@@ -55,28 +58,95 @@ void read_mesh(const json_t *json, scene_mesh &mesh)
     }
 }
 
-/* False for a mark that names no known kind or no vertex of the mesh: it is left out. */
-bool read_mark(const json_t *json, int64_t vertices, mark &out)
+std::vector<int32_t> integers_at(const json_t *json, const char *key, int64_t count)
 {
-    static const char *const elements[] = {"vertex", "edge", "triangle"};
-    std::string kind = text_at(json, "kind"), what = text_at(json, "element");
-    int k = 0, e = 0;
-    while (k < mark_kind_count && kind != mark_names[k])
-        k++;
-    while (e < 3 && what != elements[e])
-        e++;
-    const json_t *list = json_object_get(json, "vertex");
-    if (k == mark_kind_count || e == 3 || json_array_size(list) != size_t(e) + 1)
+    std::vector<uint8_t> bytes = bytes_at(json, key, size_t(count) * 4);
+    std::vector<int32_t> numbers(count);
+    std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    return numbers;
+}
+
+/* The sides of all polygons, each edge once. */
+void read_polygons(const json_t *json, scene &out)
+{
+    int64_t count = integer_at(json, "face_count", triangle_limit, "number of polygons");
+    int64_t corners = integer_at(json, "corner_count", 3 * triangle_limit, "number of corners");
+    std::vector<int32_t> sizes = integers_at(json, "sizes", count);
+    std::vector<int32_t> corner = integers_at(json, "corners", corners);
+    for (int32_t v : corner)
+        if (v < 0 || size_t(v) >= out.mesh.points.size())
+            throw not_showable("a polygon names vertex " + std::to_string(v));
+    int64_t first = 0;
+    for (int32_t size : sizes) {
+        if (size < 1 || size > corners - first)
+            throw not_showable("a polygon has " + std::to_string(size) + " corners");
+        for (int64_t i = 0; i < size; i++) {
+            int32_t a = corner[first + i], b = corner[first + (i + 1) % size];
+            if (a != b)
+                out.outlines.push_back({std::min(a, b), std::max(a, b)});
+        }
+        first += size;
+    }
+    std::sort(out.outlines.begin(), out.outlines.end());
+    out.outlines.erase(std::unique(out.outlines.begin(), out.outlines.end()), out.outlines.end());
+}
+
+/* False when the list is longer than `limit` or holds what is no vertex. */
+bool read_vertices(const json_t *list, size_t limit, const scene &from, std::vector<int32_t> &out)
+{
+    if (json_array_size(list) > limit)
         return false;
-    out = {mark_kind(k), element(e), {0, 0, 0}};
-    for (int i = 0; i <= e; i++) {
+    for (size_t i = 0; i < json_array_size(list); i++) {
         const json_t *index = json_array_get(list, i);
         json_int_t v = json_is_integer(index) ? json_integer_value(index) : -1;
-        if (v < 0 || v >= vertices)
+        if (v < 0 || size_t(v) >= from.mesh.points.size())
             return false;
-        out.vertex[i] = int32_t(v);
+        out.push_back(int32_t(v));
     }
     return true;
+}
+
+/* False for what names no known element or no vertex of the mesh: it is left out. */
+bool read_element(const json_t *json, const scene &from, mark &out)
+{
+    struct rule {
+        const char *name;
+        size_t least, most;
+    };
+    const size_t many = size_t(path_limit);
+    const rule rules[] = {{"vertex", 1, 1},  {"edge", 2, 2},         {"triangle", 3, 3},
+                          {"arrow", 2, 2},   {"half-edge", 3, many}, {"path", 1, many},
+                          {"loop", 1, many}, {"face", 3, many}};
+    std::string what = text_at(json, "element");
+    size_t e = 0;
+    while (e < std::size(rules) && what != rules[e].name)
+        e++;
+    const json_t *list = json_object_get(json, "vertex");
+    if (e == std::size(rules) || json_array_size(list) < rules[e].least ||
+        !read_vertices(list, rules[e].most, from, out.vertex))
+        return false;
+    out.what = element(e);
+    std::vector<int32_t> fill = out.vertex;
+    if (out.vertex.size() > 3) {
+        fill.clear();
+        if (!read_vertices(json_object_get(json, "fill"), 3 * many, from, fill))
+            return false;
+    }
+    for (size_t i = 0; out.is_face() && i + 2 < fill.size(); i += 3)
+        out.fill.push_back({fill[i], fill[i + 1], fill[i + 2]});
+    return true;
+}
+
+void read_labels(const json_t *json, scene &out)
+{
+    const json_t *labels = json_object_get(json, "labels");
+    for (size_t i = 0; i < json_array_size(labels) && i < size_t(label_limit); i++) {
+        const json_t *from = json_array_get(labels, i), *number = json_object_get(from, "number");
+        label one;
+        one.number = json_integer_value(number);
+        if (json_is_integer(number) && read_element(from, out, one.at))
+            out.labels.push_back(one);
+    }
 }
 
 void read_marks(const json_t *json, scene &out)
@@ -84,13 +154,23 @@ void read_marks(const json_t *json, scene &out)
     const json_t *marks = json_object_get(json, "marks");
     for (size_t i = 0; i < json_array_size(marks) && i < size_t(mark_limit); i++) {
         mark one;
-        if (read_mark(json_array_get(marks, i), int64_t(out.mesh.points.size()), one))
+        std::string kind = text_at(json_array_get(marks, i), "kind");
+        int k = 0;
+        while (k < mark_kind_count && kind != mark_names[k])
+            k++;
+        one.kind = mark_kind(k);
+        if (k < mark_kind_count && read_element(json_array_get(marks, i), out, one))
             out.marks.push_back(one);
     }
     const json_t *counts = json_object_get(json, "mark_counts");
-    for (int k = 0; k < mark_kind_count; k++)
+    const json_t *names = json_object_get(json, "mark_names");
+    for (int k = 0; k < mark_kind_count; k++) {
         out.mark_counts[k] =
             std::max<int64_t>(0, json_integer_value(json_object_get(counts, mark_names[k])));
+        out.mark_words[k] = text_at(names, mark_names[k]);
+    }
+    out.turns_word = text_at(names, "turns");
+    out.turn_count = std::max<int64_t>(0, json_integer_value(json_object_get(json, "turn_count")));
     const json_t *ok = json_object_get(json, "ok_count");
     out.ok_count = json_is_integer(ok) ? json_integer_value(ok) : -1;
 }
@@ -192,7 +272,7 @@ scene_kind kind_of(const json_t *json)
 }
 } // namespace
 
-void read_scene(const std::string &path, scene &out)
+void read_scene(const std::string &path, const std::string &language, scene &out)
 {
     std::error_code failed;
     uintmax_t bytes = std::filesystem::file_size(path, failed);
@@ -203,12 +283,16 @@ void read_scene(const std::string &path, scene &out)
     std::unique_ptr<json_t, json_releaser> json(json_load_file(path.c_str(), 0, &error));
     if (!json || !json_is_object(json.get()))
         throw std::runtime_error(path + ": not a scene: " + (json ? "no object" : error.text));
+    choose_language(json.get(), language);
     read_notes(json.get(), out);
     out.kind = kind_of(json.get());
     out.cut = json_is_true(json_object_get(json.get(), "cut"));
     if (const json_t *mesh = json_object_get(json.get(), "mesh"))
         read_mesh(mesh, out.mesh);
+    if (const json_t *polygons = json_object_get(json.get(), "polygons"))
+        read_polygons(polygons, out);
     read_marks(json.get(), out);
+    read_labels(json.get(), out);
     read_facts(json.get(), out);
     if (out.kind == scene_kind::strips)
         read_strips(json.get(), out);

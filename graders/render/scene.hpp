@@ -12,20 +12,47 @@
 #include <vector>
 
 enum class scene_kind { none, mesh, strips, voxels, chart, panels, bars, heatmap, diagram };
-enum mark_kind { missing, duplicate, extra, degenerate, boundary, flipped, wrong, mark_kind_count };
-enum class element { at_vertex, at_edge, at_triangle };
+enum mark_kind {
+    missing,
+    duplicate,
+    extra,
+    degenerate,
+    boundary,
+    flipped,
+    wrong,
+    right_one,
+    turn_0,
+    turn_last = turn_0 + 5,
+    mark_kind_count
+};
+enum class element { at_vertex, at_edge, at_triangle, arrow, half_edge, path, loop, face };
 
 extern const char *const mark_names[mark_kind_count];
 
 struct mark {
     mark_kind kind;
     element what;
-    int32_t vertex[3];
+    std::vector<int32_t> vertex;
+    std::vector<triangle> fill; /* of a face and a triangle */
 
     int vertex_count() const
     {
-        return int(what) + 1;
+        return int(vertex.size());
     }
+    bool is_face() const
+    {
+        return what == element::at_triangle || what == element::face;
+    }
+    bool is_fault() const
+    {
+        return kind != boundary && kind < right_one;
+    }
+};
+
+/* The number of a vertex, an edge or a face, where it is seen. */
+struct label {
+    mark at; /* its kind is not used */
+    int64_t number;
 };
 
 struct scene_mesh {
@@ -49,8 +76,13 @@ struct scene {
     scene_kind kind = scene_kind::none;
     std::string title, subtitle;
     scene_mesh mesh;
-    std::vector<mark> marks; /* every index is within the mesh */
+    std::vector<edge> outlines; /* of polygons; none: the mesh is one of triangles */
+    std::vector<mark> marks;    /* every index is within the mesh */
+    std::vector<label> labels;  /* likewise */
     int64_t mark_counts[mark_kind_count] = {};
+    std::string mark_words[mark_kind_count]; /* empty: the usual word */
+    std::string turns_word;
+    int64_t turn_count = 0;
     int64_t ok_count = -1; /* -1: not said */
     bool cut = false;
     std::vector<std::vector<vec3>> strips;
@@ -89,9 +121,10 @@ struct not_showable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/* Reads a scene; its file may hold anything. `out` gets what could be read even when it throws.
- * Throws not_showable (sizes that lie, indices out of range, coordinates that are not finite, more
- * than a picture can show) or std::runtime_error (no file, not JSON). */
-void read_scene(const std::string &path, scene &out);
+/* Reads a scene with its texts in a language, "en" or "es"; its file may hold anything. `out` gets
+ * what could be read even when it throws. Throws not_showable (sizes that lie, indices out of
+ * range, coordinates that are not finite, more than a picture can show) or std::runtime_error (no
+ * file, not JSON). */
+void read_scene(const std::string &path, const std::string &language, scene &out);
 
 #endif

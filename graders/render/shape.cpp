@@ -86,7 +86,8 @@ static bool collect_edges(const std::vector<triangle> &triangles, std::vector<ed
     return closed;
 }
 
-shape::shape(std::vector<vec3> given, const std::vector<triangle> &all)
+shape::shape(std::vector<vec3> given, const std::vector<triangle> &all,
+             const std::vector<edge> &outlines)
     : points(std::move(given)), triangles(visible_triangles(all)), normals(points.size())
 {
     std::vector<bool> used(points.size());
@@ -107,6 +108,8 @@ shape::shape(std::vector<vec3> given, const std::vector<triangle> &all)
         if (!used[v])
             isolated.push_back(int32_t(v));
     shows_inside = !triangles.empty() && (!collect_edges(triangles, edges) || volume < 0);
+    if (!outlines.empty())
+        edges = outlines;
     spacing = edge_spacing(points, triangles, edges);
 }
 

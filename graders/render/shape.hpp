@@ -27,7 +27,9 @@ struct shape {
     bool shows_inside = false;       /* open, or wound incoherently or inside out */
 
     shape() = default;
-    shape(std::vector<vec3> points, const std::vector<triangle> &triangles);
+    /* Outlines: the edges of the polygons that the triangles fill; none: the triangles' own. */
+    shape(std::vector<vec3> points, const std::vector<triangle> &triangles,
+          const std::vector<edge> &outlines = {});
 };
 
 /* How far edges lie apart, as the edge length of the even mesh that has as much edge on as much

@@ -99,10 +99,11 @@ void solids::patch(vec3 a, vec3 b, vec3 c)
     triangles_.push_back({first, first + 1, first + 2});
 }
 
-vtkSmartPointer<vtkActor> solids::actor(colour paint, finish look) const
+vtkSmartPointer<vtkActor> solids::actor_of(const std::vector<vec3> &points, colour paint,
+                                           finish look) const
 {
     vtkNew<vtkPolyData> data;
-    data->SetPoints(vtk_points(points_));
+    data->SetPoints(vtk_points(points));
     data->SetPolys(vtk_cells(triangles_));
     data->GetPointData()->SetNormals(vtk_normals(normals_));
     vtkNew<vtkPolyDataMapper> mapper;
@@ -121,4 +122,21 @@ vtkSmartPointer<vtkActor> solids::actor(colour paint, finish look) const
     if (look == finish::ghost)
         actor->ForceTranslucentOn();
     return actor.Get();
+}
+
+vtkSmartPointer<vtkActor> solids::actor(colour paint, finish look) const
+{
+    return actor_of(points_, paint, look);
+}
+
+/* The inner side of a hull that lies further out: it is seen only beyond the thing's outline. */
+vtkSmartPointer<vtkActor> solids::rim(colour paint, double width) const
+{
+    std::vector<vec3> hull = points_;
+    for (size_t i = 0; i < hull.size(); i++)
+        hull[i] = hull[i] + normals_[i] * width;
+    vtkSmartPointer<vtkActor> actor = actor_of(hull, paint, finish::flat);
+    actor->GetProperty()->FrontfaceCullingOn();
+    actor->GetProperty()->SetAmbient(1);
+    return actor;
 }

@@ -22,9 +22,13 @@ class solids
         return triangles_.empty();
     }
     vtkSmartPointer<vtkActor> actor(colour paint, finish look) const;
+    /* A rim of one colour around all of it, so wide. */
+    vtkSmartPointer<vtkActor> rim(colour paint, double width) const;
 
   private:
     int32_t add(vec3 point, vec3 normal);
+    vtkSmartPointer<vtkActor> actor_of(const std::vector<vec3> &points, colour paint,
+                                       finish look) const;
 
     std::vector<vec3> points_, normals_;
     std::vector<triangle> triangles_;

@@ -207,8 +207,9 @@ image draw_strips(const scene &from, picture_size size)
         wire_actor(set.points, set.rungs, 1.1 * target.scale(), palette::wire.with_alpha(opacity)));
     if (width * units > 7 && from.strips.size() <= strips_with_ways)
         add_ways(target, set, thick, look.toward * (1.5 * thick));
-    add_marks(target.world(), set.marked, from.marks, 1.3 * thin, finish::lit);
-    add_marks(target.front(), set.marked, from.marks, 1.3 * thin, finish::ghost);
+    pen how = {1.3 * thin, 1 / units};
+    add_marks(target.world(), set.marked, from.marks, how, finish::lit);
+    add_marks(target.front(), set.marked, from.marks, how, finish::ghost);
     if (inset)
         add_close_up(target, *inset, from, named, frame);
     target.on_paper([&](paper &sheet) {

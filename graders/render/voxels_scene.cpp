@@ -306,9 +306,9 @@ void add_mesh_beside(canvas &target, const scene &from, const shape &mesh, doubl
     target.world()->AddActor(surface_actor(mesh.points, mesh.triangles, palette::surface));
     target.world()->AddActor(wire_actor(mesh.points, mesh.edges, .9 * target.scale(),
                                         palette::wire.with_alpha(opacity)));
-    double radius = mark_radius(mesh, units);
-    add_marks(target.world(), mesh.points, from.marks, radius, finish::lit);
-    add_marks(target.front(), mesh.points, from.marks, radius, finish::ghost);
+    pen how = mark_pen(mesh, units);
+    add_marks(target.world(), mesh.points, from.marks, how, finish::lit);
+    add_marks(target.front(), mesh.points, from.marks, how, finish::ghost);
 }
 /* Things side by side, from the left: what stands under each and where its middle is. */
 struct exhibit {

@@ -41,14 +41,14 @@ static bool is_same_hint(const char *one, const char *other)
 struct note {
     const char *slug;
     const char *check; /* name of the check, "" of a case: one verdict can be of two checks */
-    struct words message;
+    struct phrase message;
     const json_t *one; /* the case; NULL when it is none */
 };
 
-static struct cause *find(const struct causes *causes, const struct note *note)
+static struct class_cause *find(const struct causes *causes, const struct note *note)
 {
     for (size_t i = 0; i < causes->count; i++) {
-        struct cause *cause = &causes->list[i];
+        struct class_cause *cause = &causes->list[i];
         if (strcmp(cause->slug, note->slug) == 0 && strcmp(cause->check, note->check) == 0 &&
             is_same_hint(hint_of(cause->example.en), hint_of(note->message.en)))
             return cause;
@@ -57,8 +57,8 @@ static struct cause *find(const struct causes *causes, const struct note *note)
 }
 
 /* The cause of this slug that a student has already. */
-static struct cause *find_of_student(const struct causes *causes, const struct note *note,
-                                     size_t student)
+static struct class_cause *find_of_student(const struct causes *causes, const struct note *note,
+                                           size_t student)
 {
     for (size_t i = 0; i < causes->count; i++)
         if (strcmp(causes->list[i].slug, note->slug) == 0 &&
@@ -68,9 +68,9 @@ static struct cause *find_of_student(const struct causes *causes, const struct n
     return NULL;
 }
 
-static struct cause *add(struct causes *causes, const struct note *note, const json_t *result)
+static struct class_cause *add(struct causes *causes, const struct note *note, const json_t *result)
 {
-    struct cause *list = realloc(causes->list, (causes->count + 1) * sizeof *list);
+    struct class_cause *list = realloc(causes->list, (causes->count + 1) * sizeof *list);
     if (!list)
         return NULL;
     causes->list = list;
@@ -80,12 +80,13 @@ static struct cause *add(struct causes *causes, const struct note *note, const j
         return NULL;
     causes->touched = touched;
     memset(touched + causes->count * columns, 0, columns * sizeof *touched);
-    struct cause *added = &list[causes->count];
-    *added = (struct cause){.slug = note->slug,
-                            .check = note->check,
-                            .example = note->message,
-                            .result = result,
-                            .row = causes->count};
+    struct class_cause *added = &list[causes->count];
+    *added = (struct class_cause){.slug = note->slug,
+                                  .part = note->one,
+                                  .check = note->check,
+                                  .example = note->message,
+                                  .result = result,
+                                  .row = causes->count};
     causes->count++;
     return added;
 }
@@ -95,7 +96,7 @@ static struct cause *add(struct causes *causes, const struct note *note, const j
 static int take_note(struct causes *causes, size_t student, const json_t *result,
                      const struct note *note)
 {
-    struct cause *cause = find_of_student(causes, note, student);
+    struct class_cause *cause = find_of_student(causes, note, student);
     if (!cause)
         cause = find(causes, note);
     if (!cause)
@@ -119,7 +120,7 @@ static int note_result(struct causes *causes, size_t student, const json_t *resu
     json_array_foreach(json_object_get(result, "cases"), i, part)
     {
         struct note note = {result_text(part, "cause"), "", words_in(part, "message"), part};
-        if (words_outcome(result_text(part, "verdict")) == OUTCOME_FAILED &&
+        if (words_standing(result_text(part, "verdict")) == STANDING_FAILED &&
             take_note(causes, student, result, &note) != 0)
             return -1;
     }
@@ -127,7 +128,7 @@ static int note_result(struct causes *causes, size_t student, const json_t *resu
     {
         struct note note = {result_text(part, "verdict"), result_text(part, "name"),
                             words_in(part, "message"), NULL};
-        if (words_outcome(note.slug) == OUTCOME_FAILED &&
+        if (words_standing(note.slug) == STANDING_FAILED &&
             take_note(causes, student, result, &note) != 0)
             return -1;
     }
@@ -139,8 +140,8 @@ static int note_result(struct causes *causes, size_t student, const json_t *resu
 
 static int by_frequency(const void *a, const void *b)
 {
-    const struct cause *one = a;
-    const struct cause *other = b;
+    const struct class_cause *one = a;
+    const struct class_cause *other = b;
     if (one->student_count != other->student_count)
         return one->student_count > other->student_count ? -1 : 1;
     int order = strcmp(one->slug, other->slug);
@@ -166,7 +167,7 @@ int causes_of(const struct gradebook *book, size_t exercise, struct causes *caus
     return 0;
 }
 
-bool causes_touch(const struct causes *causes, const struct cause *cause, size_t student)
+bool causes_touch(const struct causes *causes, const struct class_cause *cause, size_t student)
 {
     return causes->touched[cause->row * causes->student_count + student];
 }
@@ -176,4 +177,9 @@ void causes_release(struct causes *causes)
     free(causes->touched);
     free(causes->list);
     *causes = (struct causes){0};
+}
+
+struct phrase causes_name(const struct class_cause *cause, char *room, size_t capacity)
+{
+    return cause->part ? words_cause(cause->part, room, capacity) : words_verdict(cause->slug);
 }

@@ -6,10 +6,11 @@
 
 #include "graders/report/results.h"
 
-struct cause {
+struct class_cause {
     const char *slug;      /* borrowed: a case's cause, "duplicate-edge", or a check's verdict */
+    const json_t *part;    /* borrowed: the first case with it; NULL of a check or a refusal */
     const char *check;     /* borrowed: the check's name; "" of a case */
-    struct words example;  /* borrowed: the first message with this cause; may be empty */
+    struct phrase example; /* borrowed: the first message with this cause; may be empty */
     const json_t *result;  /* the result that the example is from */
     const char *case_name; /* the first case with this cause and a scene; NULL when there is none */
     const json_t *scene_result; /* and its result */
@@ -18,7 +19,7 @@ struct cause {
 };
 
 struct causes {
-    struct cause *list; /* most frequent first, then by slug, then by first student */
+    struct class_cause *list; /* most frequent first, then by slug, then by first student */
     size_t count;
     size_t answer_count; /* students who submitted the exercise */
     bool *touched;       /* a row of students for each cause */
@@ -31,7 +32,10 @@ int causes_of(const struct gradebook *book, size_t exercise, struct causes *caus
               struct error *err) MUST_CHECK;
 
 /* Whether a student of the gradebook lost points by a cause. */
-bool causes_touch(const struct causes *causes, const struct cause *cause, size_t student);
+bool causes_touch(const struct causes *causes, const struct class_cause *cause, size_t student);
+
+/* The name of a cause for people; one of an earlier version's results is written to `room`. */
+struct phrase causes_name(const struct class_cause *cause, char *room, size_t capacity);
 
 void causes_release(struct causes *causes);
 

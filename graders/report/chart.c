@@ -15,7 +15,7 @@ static bool names_family(const char *sentence, const char *family)
 {
     size_t length = strlen(family);
     for (const char *at = sentence; length > 0 && (at = strstr(at, family)) != NULL; at++)
-        if ((at == sentence || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
+        if ((at == sentence || at[-1] == ' ') && (at[length] == '\0' || strchr(" ;,.", at[length])))
             return true;
     return false;
 }
@@ -60,16 +60,18 @@ const json_t *chart_growth_family(const json_t *result)
     return worst;
 }
 
-/* What sizes count, in the plural; the words under an axis are translated by axis_name. */
-static const char *plural_of(const char *element)
+struct phrase chart_elements(const json_t *result)
 {
-    static const char *const known[][2] = {{"triangle", "triangles"}, {"vertex", "vertices"},
-                                           {"edge", "edges"},         {"cell", "cells"},
-                                           {"voxel", "voxels"},       {"face", "faces"}};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (strcmp(known[i][0], element) == 0)
-            return known[i][1];
-    return "elements";
+    const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
+    struct phrase elements = words_in(growth, "elements");
+    if (!*elements.en)
+        elements = words_in(growth, "element");
+    return *elements.en ? elements : (struct phrase){"size", "tamaño"};
+}
+
+static json_t *phrase_json(struct phrase phrase)
+{
+    return json_pack("{s:s, s:s}", "en", phrase.en, "es", phrase.es);
 }
 
 /* The points of a curve that have a place on logarithmic axes. */
@@ -91,11 +93,14 @@ static json_t *curve_of(const json_t *family, const char *key, const char *name,
 }
 
 /* "Edge table of any mesh: growth of the work". */
-static void title_of(const json_t *result, const char *what, char *title, size_t capacity)
+static json_t *title_of(const json_t *result, struct phrase what)
 {
-    const char *exercise = words_in(result, "title").en;
-    snprintf(title, capacity, "%s: %s", exercise ? exercise : result_text(result, "exercise"),
-             what);
+    struct message title;
+    struct phrase exercise = words_in(result, "title");
+    message_set_phrase(&title, exercise);
+    message_en(&title, ": %s", what.en);
+    message_es(&title, ": %s", what.es);
+    return phrase_json(message_phrase(&title));
 }
 
 /* Where the submission would be if it grew from its first size on as is allowed: a guide for the
@@ -120,21 +125,25 @@ static json_t *allowed_curve(const json_t *own, const char *allowed)
                      y);
 }
 
+/* What two curves are of. */
+struct pair {
+    const char *own_key, *reference_key; /* of the family */
+    struct phrase title, y_label;
+    const char *allowed; /* class of the guide; NULL: none */
+};
+
 /* A scene of submission and reference over the sizes of a family; NULL when there is no curve. */
-static json_t *two_curves(const json_t *result, const json_t *family, const char *own_key,
-                          const char *reference_key, const char *y_label, const char *title,
-                          const char *allowed)
+static json_t *two_curves(const json_t *result, const json_t *family, const struct pair *pair)
 {
-    const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
-    json_t *own = curve_of(family, own_key, "submission",
+    json_t *own = curve_of(family, pair->own_key, "submission",
                            result_number(json_object_get(family, "fit"), "exponent"));
-    json_t *reference = curve_of(family, reference_key, "reference", 0);
+    json_t *reference = curve_of(family, pair->reference_key, "reference", 0);
     json_t *curves = json_array();
     if (json_array_size(json_object_get(own, "x")) >= 2)
         json_array_append(curves, own);
     if (json_array_size(json_object_get(reference, "x")) >= 2)
         json_array_append(curves, reference);
-    json_t *guide = allowed ? allowed_curve(own, allowed) : NULL;
+    json_t *guide = pair->allowed ? allowed_curve(own, pair->allowed) : NULL;
     if (guide)
         json_array_append_new(curves, guide);
     json_decref(own);
@@ -143,13 +152,12 @@ static json_t *two_curves(const json_t *result, const json_t *family, const char
         json_decref(curves);
         return NULL;
     }
-    char whole_title[200];
-    title_of(result, title, whole_title, sizeof whole_title);
-    return json_pack("{s:s, s:s, s:s, s:o, s:s, s:s, s:{s:O, s:s, s:O}}", "kind", "chart", "title",
-                     whole_title, "subtitle", result_text(family, "name"), "curves", curves,
-                     "x_label", plural_of(words_in(growth, "element").en), "y_label", y_label,
-                     "metadata", "exercise", json_object_get(result, "exercise"), "case", title,
-                     "verdict", json_object_get(result, "verdict"));
+    return json_pack("{s:s, s:o, s:s, s:o, s:o, s:o, s:{s:O, s:s, s:O}}", "kind", "chart", "title",
+                     title_of(result, pair->title), "subtitle", result_text(family, "name"),
+                     "curves", curves, "x_label", phrase_json(chart_elements(result)), "y_label",
+                     phrase_json(pair->y_label), "metadata", "exercise",
+                     json_object_get(result, "exercise"), "case", pair->title.en, "verdict",
+                     json_object_get(result, "verdict"));
 }
 
 json_t *chart_of_growth(const json_t *result)
@@ -158,18 +166,24 @@ json_t *chart_of_growth(const json_t *result)
     if (!family)
         return NULL;
     const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
-    return two_curves(result, family, "instructions", "reference_instructions", "instructions",
-                      "growth of the work", result_text(growth, "allowed"));
+    const struct pair pair = {"instructions",
+                              "reference_instructions",
+                              {"growth of the work", "crecimiento del trabajo"},
+                              {"instructions", "instrucciones"},
+                              result_text(growth, "allowed")};
+    return two_curves(result, family, &pair);
 }
 
 json_t *chart_of_memory(const json_t *result)
 {
+    static const struct pair pair = {"peak_bytes",
+                                     "reference_peak_bytes",
+                                     {"peak memory", "máximo de memoria"},
+                                     {"bytes", "bytes"},
+                                     NULL};
     const json_t *memory = json_object_get(json_object_get(result, "measures"), "memory");
     const json_t *family = json_array_get(json_object_get(memory, "families"), 0);
-    if (!family)
-        return NULL;
-    return two_curves(result, family, "peak_bytes", "reference_peak_bytes", "bytes", "peak memory",
-                      NULL);
+    return family ? two_curves(result, family, &pair) : NULL;
 }
 
 /* ---------------------------------------------------------------- drawing */
@@ -333,21 +347,22 @@ static void draw_curve(struct html *page, const json_t *curve, size_t number, co
     html_close(page, "g");
 }
 
-/* The curve's name; the engine's own two in both languages. */
-static struct words curve_name(const char *name)
+/* The curve's name; those that play a part have their words here. */
+static struct phrase curve_name(const json_t *curve)
 {
+    const char *name = result_text(curve, "name");
     if (strcmp(name, "submission") == 0)
-        return (struct words){"submission", "entrega"};
+        return (struct phrase){"submission", "entrega"};
     if (strcmp(name, "reference") == 0)
-        return (struct words){"reference", "referencia"};
+        return (struct phrase){"reference", "referencia"};
     if (strcmp(name, "allowed") == 0)
-        return (struct words){"allowed growth", "crecimiento permitido"};
+        return (struct phrase){"allowed growth", "crecimiento permitido"};
     if (strcmp(name, "right") == 0)
-        return (struct words){"right", "correcto"};
-    return (struct words){name, name};
+        return (struct phrase){"right", "correcto"};
+    return words_in(curve, "name");
 }
 
-static void draw_words(struct html *page, struct words words, const char *tail)
+static void draw_words(struct html *page, struct phrase words, const char *tail)
 {
     const char *const texts[] = {words.en, words.es};
     const char *const languages[] = {"en", "es"};
@@ -379,25 +394,9 @@ static void draw_legend(struct html *page, const json_t *curves)
         html_open(page, "text");
         attribute(page, "x", LEFT + 48);
         attribute(page, "y", y + 4);
-        draw_words(page, curve_name(result_text(curve, "name")), tail);
+        draw_words(page, curve_name(curve), tail);
         html_close(page, "text");
     }
-}
-
-static struct words axis_name(const char *name)
-{
-    static const struct words known[] = {{"instructions", "instrucciones"},
-                                         {"triangles", "triángulos"},
-                                         {"vertices", "vértices"},
-                                         {"edges", "aristas"},
-                                         {"cells", "celdas"},
-                                         {"voxels", "vóxeles"},
-                                         {"faces", "caras"},
-                                         {"elements", "elementos"}};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (strcmp(known[i].en, name) == 0)
-            return known[i];
-    return (struct words){name, name};
 }
 
 static void draw_axis_names(struct html *page, const json_t *scene)
@@ -407,14 +406,14 @@ static void draw_axis_names(struct html *page, const json_t *scene)
     html_attribute(page, "text-anchor", "middle");
     attribute(page, "x", (LEFT + WIDTH - RIGHT) / 2.0);
     attribute(page, "y", HEIGHT - 12);
-    draw_words(page, axis_name(result_text(scene, "x_label")), "");
+    draw_words(page, words_in(scene, "x_label"), "");
     html_close(page, "text");
     html_open(page, "text");
     html_attribute(page, "class", "axis-name");
     html_attribute(page, "text-anchor", "middle");
     html_attribute_format(page, "transform", "translate(16 %.1f) rotate(-90)",
                           (TOP + HEIGHT - BOTTOM) / 2.0);
-    draw_words(page, axis_name(result_text(scene, "y_label")), "");
+    draw_words(page, words_in(scene, "y_label"), "");
     html_close(page, "text");
 }
 
@@ -429,7 +428,7 @@ static bool open_up(struct axis *axis)
     return axis->low < axis->high;
 }
 
-void chart_draw(struct html *page, const json_t *scene, struct words label)
+void chart_draw(struct html *page, const json_t *scene, struct phrase label)
 {
     const json_t *curves = json_object_get(scene, "curves");
     struct axis x = {INFINITY, -INFINITY, LEFT + 16, WIDTH - RIGHT - 10};

@@ -18,6 +18,7 @@ enum kind {
     NAME,   /* a string that is safe in paths, URLs and ids */
     SCALAR, /* a string or an integer */
     WORDS,  /* {en, es} */
+    WORDS_OR_STRING,
     POINTS, /* a number from 0 on, at most two decimals */
     POINTS_OR_NULL,
     NUMBER,
@@ -52,19 +53,29 @@ static const struct field class_fields[] = {{"name", NAME, REQUIRED, NULL},
                                             {"cases", COUNT, REQUIRED, NULL},
                                             {0}};
 
-static const struct field check_fields[] = {
-    {"name", NAME, REQUIRED, NULL},           {"title", WORDS, REQUIRED, NULL},
-    {"points", POINTS, REQUIRED, NULL},       {"max_points", POINTS, REQUIRED, NULL},
-    {"verdict", ANY_VERDICT, REQUIRED, NULL}, {"cause", STRING, OPTIONAL, NULL},
-    {"message", WORDS, REQUIRED, NULL},       {0}};
+static const struct field check_fields[] = {{"name", NAME, REQUIRED, NULL},
+                                            {"title", WORDS, REQUIRED, NULL},
+                                            {"points", POINTS, REQUIRED, NULL},
+                                            {"max_points", POINTS, REQUIRED, NULL},
+                                            {"verdict", ANY_VERDICT, REQUIRED, NULL},
+                                            {"cause", STRING, OPTIONAL, NULL},
+                                            {"cause_name", WORDS, OPTIONAL, NULL},
+                                            {"message", WORDS, REQUIRED, NULL},
+                                            {0}};
 
-static const struct field case_fields[] = {
-    {"name", NAME, REQUIRED, NULL},           {"class", NAME, REQUIRED, NULL},
-    {"verdict", ANY_VERDICT, REQUIRED, NULL}, {"cause", STRING, REQUIRED, NULL},
-    {"message", WORDS, REQUIRED, NULL},       {"seed", STRING, REQUIRED, NULL},
-    {"public", TRUTH, REQUIRED, NULL},        {"reproduce", STRING, REQUIRED, NULL},
-    {"element", STRING, OPTIONAL, NULL},      {"scene", TRUTH, OPTIONAL, NULL},
-    {"picture", STRING, OPTIONAL, NULL},      {0}};
+static const struct field case_fields[] = {{"name", NAME, REQUIRED, NULL},
+                                           {"class", NAME, REQUIRED, NULL},
+                                           {"verdict", ANY_VERDICT, REQUIRED, NULL},
+                                           {"cause", STRING, REQUIRED, NULL},
+                                           {"cause_name", WORDS, OPTIONAL, NULL},
+                                           {"message", WORDS, REQUIRED, NULL},
+                                           {"seed", STRING, REQUIRED, NULL},
+                                           {"public", TRUTH, REQUIRED, NULL},
+                                           {"reproduce", STRING, REQUIRED, NULL},
+                                           {"element", WORDS_OR_STRING, OPTIONAL, NULL},
+                                           {"scene", TRUTH, OPTIONAL, NULL},
+                                           {"picture", STRING, OPTIONAL, NULL},
+                                           {0}};
 
 static const struct field fit_fields[] = {{"class", STRING, REQUIRED, NULL},
                                           {"exponent", NUMBER, REQUIRED, NULL},
@@ -79,10 +90,12 @@ static const struct field growth_family_fields[] = {
     {"fit", RECORD, OPTIONAL, fit_fields},
     {0}};
 
-static const struct field growth_fields[] = {{"allowed", STRING, REQUIRED, NULL},
-                                             {"element", WORDS, OPTIONAL, NULL},
-                                             {"families", RECORDS, REQUIRED, growth_family_fields},
-                                             {0}};
+static const struct field growth_fields[] = {
+    {"allowed", STRING, REQUIRED, NULL},
+    {"element", WORDS, OPTIONAL, NULL}, /* of earlier versions */
+    {"elements", WORDS, OPTIONAL, NULL},
+    {"families", RECORDS, REQUIRED, growth_family_fields},
+    {0}};
 
 static const struct field work_fields[] = {{"ratio", NUMBER, REQUIRED, NULL},
                                            {"band", NUMBER, REQUIRED, NULL},
@@ -148,6 +161,7 @@ static const struct field result_fields[] = {
     {"problem", STRING, REQUIRED, NULL},
     {"verdict", VERDICT, REQUIRED, NULL},
     {"cause", STRING, REQUIRED, NULL},
+    {"cause_name", WORDS, OPTIONAL, NULL},
     {"score", POINTS_OR_NULL, REQUIRED, NULL},
     {"max_score", POINTS, REQUIRED, NULL},
     {"summary", WORDS, REQUIRED, NULL},
@@ -196,7 +210,7 @@ static bool is_name(const json_t *value)
 static bool is_verdict(const json_t *value, bool any)
 {
     const char *text = json_string_value(value);
-    return text && words_know_verdict(text) && (any || words_outcome(text) != OUTCOME_ABSENT);
+    return text && words_know_verdict(text) && (any || words_standing(text) != STANDING_ABSENT);
 }
 
 static int check_leaf(const json_t *value, enum kind kind, const char *place, struct error *err)
@@ -267,6 +281,8 @@ static int check_field(const json_t *value, const struct field *field, const cha
                        struct error *err)
 {
     switch (field->kind) {
+    case WORDS_OR_STRING:
+        return json_is_string(value) ? 0 : check_record_at(value, words_fields, place, err);
     case WORDS:
         return check_record_at(value, words_fields, place, err);
     case STRINGS:
@@ -342,14 +358,14 @@ static int check_verdict_and_score(const json_t *result, struct error *err)
 {
     const char *verdict = json_string_value(json_object_get(result, "verdict"));
     const json_t *score = json_object_get(result, "score");
-    bool is_unscored = words_outcome(verdict) == OUTCOME_UNSCORED;
+    bool is_unscored = words_standing(verdict) == STANDING_UNSCORED;
     if (is_unscored != json_is_null(score))
         return error_set(err, "score: the verdict is %s, so it must %sbe null", verdict,
                          is_unscored ? "" : "not ");
     if (json_number_value(score) > json_number_value(json_object_get(result, "max_score")) + 1e-9)
         return error_set(err, "score: is above max_score");
-    enum outcome outcome = words_outcome(verdict);
-    if (outcome != OUTCOME_UNSCORED && has_text(result, "cause") == (outcome == OUTCOME_PASSED))
+    enum standing standing = words_standing(verdict);
+    if (standing != STANDING_UNSCORED && has_text(result, "cause") == (standing == STANDING_PASSED))
         return error_set(err, "cause: must be empty when passed, and only then");
     return 0;
 }
@@ -391,10 +407,10 @@ static int check_cases(const json_t *result, struct error *err)
         if (!has_named(classes, json_array_size(classes),
                        json_string_value(json_object_get(one, "class"))))
             return error_set(err, "cases[%zu].class: is none of classes[]", i);
-        enum outcome outcome = words_outcome(json_string_value(json_object_get(one, "verdict")));
-        if (outcome == OUTCOME_FAILED && !json_object_get(one, "element"))
+        enum standing standing = words_standing(json_string_value(json_object_get(one, "verdict")));
+        if (standing == STANDING_FAILED && !json_object_get(one, "element"))
             return error_set(err, "cases[%zu].element: is missing though rejected", i);
-        if (outcome == OUTCOME_FAILED && !has_text(one, "cause"))
+        if (standing == STANDING_FAILED && !has_text(one, "cause"))
             return error_set(err, "cases[%zu].cause: is empty though rejected", i);
     }
     return 0;

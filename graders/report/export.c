@@ -71,7 +71,7 @@ static int select_student(struct gradebook *book, const char *wanted, struct err
     }
     if (matches != 1) {
         char *shown = clean_text(wanted, strlen(wanted), CLEAN_LINE, 100);
-        error_set(
+        error_set_request(
             err,
             matches
                 ? "\"%s\" is the name of several students; give the folder's name below results/"
@@ -92,7 +92,7 @@ int report_export(const char *out, const char *format, const struct export_selec
     while (chosen < FORMAT_COUNT && strcmp(formats[chosen].name, format) != 0)
         chosen++;
     if (chosen == FORMAT_COUNT)
-        return error_set(
+        return error_set_request(
             err, "no export format \"%.40s\"; there are csv, gradescope, junit, vpl, json", format);
     struct gradebook book;
     if (gradebook_load(out, &book, err) != 0)

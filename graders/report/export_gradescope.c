@@ -31,12 +31,13 @@ static json_t *class_output(const json_t *result, const json_t *part, bool spani
     json_array_foreach(json_object_get(result, "cases"), i, one)
     {
         if (strcmp(result_text(one, "class"), result_text(part, "name")) != 0 ||
-            words_outcome(result_text(one, "verdict")) != OUTCOME_FAILED)
+            words_standing(result_text(one, "verdict")) != STANDING_FAILED)
             continue;
         fprintf(to, "%s: %s\n", result_text(one, "name"),
                 words_choose(words_in(one, "message"), spanish));
-        if (*result_text(one, "element"))
-            fprintf(to, "  %s\n", result_text(one, "element"));
+        const char *element = words_choose(words_in(one, "element"), spanish);
+        if (*element)
+            fprintf(to, "  %s\n", element);
         fprintf(to, "  %s\n", result_text(one, "reproduce"));
     }
     json_t *output = fclose(to) == 0 ? clean_string(text) : NULL;
@@ -76,7 +77,7 @@ static int add_parts(json_t *tests, const struct export_job *job, size_t exercis
         json_t *output = is_class
                              ? class_output(result, part, job->spanish)
                              : clean_string(words_choose(words_in(part, "message"), job->spanish));
-        bool is_scored = result_outcome(result) != OUTCOME_UNSCORED;
+        bool is_scored = result_standing(result) != STANDING_UNSCORED;
         if (!output ||
             json_array_append_new(tests, test_of(number, name, part, is_scored, output)) != 0)
             return -1;

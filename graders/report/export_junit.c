@@ -58,18 +58,18 @@ static void put_attribute(FILE *to, const char *name, const char *text)
 }
 
 /* The child that says how a test case ended; nothing when it passed. */
-static void write_end(const struct export_job *job, const json_t *part, struct words message)
+static void write_end(const struct export_job *job, const json_t *part, struct phrase message)
 {
     const char *verdict = result_text(part, "verdict");
     const char *element = NULL;
-    switch (words_outcome(verdict)) {
-    case OUTCOME_FAILED:
+    switch (words_standing(verdict)) {
+    case STANDING_FAILED:
         element = "failure";
         break;
-    case OUTCOME_UNSCORED:
+    case STANDING_UNSCORED:
         element = strcmp(verdict, "fault") == 0 ? "error" : "skipped";
         break;
-    case OUTCOME_ABSENT:
+    case STANDING_ABSENT:
         element = "skipped";
         break;
     default:
@@ -88,7 +88,7 @@ static void write_end(const struct export_job *job, const json_t *part, struct w
 }
 
 static void write_case(const struct export_job *job, const json_t *result, const char *class_name,
-                       const json_t *part, struct words message)
+                       const json_t *part, struct phrase message)
 {
     fprintf(job->to, "  <testcase classname=\"%s.%s\" name=\"%s\">\n",
             result_text(result, "exercise"), class_name, result_text(part, "name"));
@@ -101,7 +101,7 @@ static void write_case(const struct export_job *job, const json_t *result, const
 static bool needs_case_of_its_own(const json_t *result)
 {
     const char *verdict = result_text(result, "verdict");
-    return strcmp(verdict, "compile-error") == 0 || words_outcome(verdict) == OUTCOME_UNSCORED;
+    return strcmp(verdict, "compile-error") == 0 || words_standing(verdict) == STANDING_UNSCORED;
 }
 
 static const char *const kinds[] = {"failure", "error", "skipped"};
@@ -109,10 +109,10 @@ static const char *const kinds[] = {"failure", "error", "skipped"};
 static void count_part(const json_t *part, size_t *counts)
 {
     const char *verdict = result_text(part, "verdict");
-    enum outcome outcome = words_outcome(verdict);
-    counts[0] += outcome == OUTCOME_FAILED;
+    enum standing standing = words_standing(verdict);
+    counts[0] += standing == STANDING_FAILED;
     counts[1] += strcmp(verdict, "fault") == 0;
-    counts[2] += outcome == OUTCOME_ABSENT || strcmp(verdict, "flagged") == 0;
+    counts[2] += standing == STANDING_ABSENT || strcmp(verdict, "flagged") == 0;
 }
 
 static void write_suite_start(const struct export_job *job, const struct student *student,

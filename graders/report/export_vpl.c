@@ -39,7 +39,7 @@ static int put_json(FILE *to, const json_t *string)
                : put_lines(to, json_string_value(string), json_string_length(string));
 }
 
-static int put_words(const struct export_job *job, struct words words)
+static int put_words(const struct export_job *job, struct phrase words)
 {
     const char *text = words_choose(words, job->spanish);
     return *text ? put_lines(job->to, text, strlen(text)) : 0;
@@ -54,7 +54,7 @@ static void put_title(const struct export_job *job, const json_t *result)
     words_of_points(result_number(result, "max_score"), max_score, sizeof max_score);
     fprintf(job->to, "-%s: %s (", result_text(result, "exercise"),
             words_choose(words_verdict(result_text(result, "verdict")), job->spanish));
-    if (result_outcome(result) == OUTCOME_UNSCORED)
+    if (result_standing(result) == STANDING_UNSCORED)
         fputs(job->spanish ? "sin nota)\n" : "not scored)\n", job->to);
     else
         fprintf(job->to, "%s / %s)\n", score, max_score);
@@ -72,16 +72,17 @@ static int put_result(const struct export_job *job, const json_t *result)
         return -1;
     json_array_foreach(json_object_get(result, "cases"), i, one)
     {
-        if (words_outcome(result_text(one, "verdict")) != OUTCOME_FAILED || shown++ >= CASES_SHOWN)
+        if (words_standing(result_text(one, "verdict")) != STANDING_FAILED ||
+            shown++ >= CASES_SHOWN)
             continue;
         if (put_words(job, words_in(one, "message")) != 0 ||
-            put_json(job->to, json_object_get(one, "element")) != 0 ||
+            put_words(job, words_in(one, "element")) != 0 ||
             put_json(job->to, json_object_get(one, "reproduce")) != 0)
             return -1;
     }
     json_array_foreach(json_object_get(result, "checks"), i, one)
     {
-        if (words_outcome(result_text(one, "verdict")) == OUTCOME_FAILED &&
+        if (words_standing(result_text(one, "verdict")) == STANDING_FAILED &&
             put_words(job, words_in(one, "message")) != 0)
             return -1;
     }

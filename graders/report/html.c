@@ -210,7 +210,7 @@ void html_leaf(struct html *page, const char *tag, const char *class_name, const
     html_close(page, tag);
 }
 
-void html_both(struct html *page, struct words words)
+void html_both(struct html *page, struct phrase words)
 {
     html_open(page, "span");
     html_attribute(page, "lang", "en");
@@ -222,7 +222,7 @@ void html_both(struct html *page, struct words words)
     html_close(page, "span");
 }
 
-void html_both_leaf(struct html *page, const char *tag, const char *class_name, struct words words)
+void html_both_leaf(struct html *page, const char *tag, const char *class_name, struct phrase words)
 {
     html_open(page, tag);
     if (class_name)
@@ -231,7 +231,7 @@ void html_both_leaf(struct html *page, const char *tag, const char *class_name, 
     html_close(page, tag);
 }
 
-void html_both_attribute(struct html *page, const char *name, struct words words)
+void html_both_attribute(struct html *page, const char *name, struct phrase words)
 {
     char spanish[48];
     snprintf(spanish, sizeof spanish, "data-es-%s", name);

@@ -59,10 +59,11 @@ void html_json(struct html *page, const json_t *string);
 void html_leaf(struct html *page, const char *tag, const char *class_name, const char *text);
 
 /* The text in both languages, one <span lang> each: the page shows one of them. */
-void html_both(struct html *page, struct words words);
-void html_both_leaf(struct html *page, const char *tag, const char *class_name, struct words words);
+void html_both(struct html *page, struct phrase words);
+void html_both_leaf(struct html *page, const char *tag, const char *class_name,
+                    struct phrase words);
 
 /* An attribute in both languages: name="en" data-es-name="es"; page.js swaps them. */
-void html_both_attribute(struct html *page, const char *name, struct words words);
+void html_both_attribute(struct html *page, const char *name, struct phrase words);
 
 #endif

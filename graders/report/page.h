@@ -15,16 +15,16 @@ struct page_context {
 
 /* Everything from <html> to the start of <main>; `course` stands in the header. */
 void page_begin(struct html *page, const struct page_context *context, const char *title,
-                struct words course, bool has_views);
+                struct phrase course, bool has_views);
 void page_end(struct html *page, const struct gradebook *book);
 
-/* The symbol of an outcome, with its word for those who do not see it. */
-void page_symbol(struct html *page, enum outcome outcome);
+/* The symbol of an standing, with its word for those who do not see it. */
+void page_symbol(struct html *page, enum standing standing);
 
-/* "7.5 / 10" with the outcome's colour; "not scored" for fault and flagged. */
+/* "7.5 / 10" with the standing's colour; "not scored" for fault and flagged. */
 void page_score(struct html *page, const json_t *result);
 
-/* A label made from a verdict, coloured by its outcome. */
+/* A label made from a verdict, coloured by its standing. */
 void page_verdict(struct html *page, const char *verdict);
 
 /* Whether a file below the report's folder exists. */
@@ -32,7 +32,7 @@ bool page_has_file(const struct page_context *context, const char *path);
 
 /* An <img> in a link to itself. `path` is below the report's folder. */
 void page_picture(struct html *page, const struct page_context *context, const char *path,
-                  struct words alt);
+                  struct phrase alt);
 
 /* The report's line when pictures are missing: "Pictures were not drawn: ...". */
 void page_pictures_note(struct html *page, const struct page_context *context);
@@ -41,7 +41,7 @@ void page_pictures_note(struct html *page, const struct page_context *context);
 void page_protections(struct html *page, json_t *const *results, size_t count);
 
 /* The course that the results name, "Triangle meshes" where they name none. */
-struct words page_course(const struct gradebook *book);
+struct phrase page_course(const struct gradebook *book);
 
 /* The two pages, from <html> to </html>. */
 void page_class(struct html *page, const struct page_context *context,

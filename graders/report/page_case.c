@@ -5,19 +5,27 @@
 #include "graders/report/chart.h"
 #include "graders/report/documents.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static const struct {
     const char *kind;
-    struct words words;
+    struct phrase words;
 } mark_words[] = {
     {"missing", {"missing", "falta"}},   {"duplicate", {"duplicate", "duplicada"}},
     {"extra", {"extra", "sobra"}},       {"degenerate", {"degenerate", "degenerada"}},
     {"boundary", {"boundary", "borde"}}, {"flipped", {"flipped", "invertida"}},
-    {"wrong", {"wrong", "incorrecta"}},
+    {"wrong", {"wrong", "incorrecta"}},  {"right", {"should be", "debería ser"}},
 };
 
-static void write_legend_entry(struct html *page, const char *kind, struct words words,
+/* What the scene calls the marks of a kind, else the usual word. */
+static struct phrase mark_name(const json_t *scene, const char *kind, struct phrase usual)
+{
+    struct phrase name = words_in(json_object_get(scene, "mark_names"), kind);
+    return name.en && name.en[0] ? name : usual;
+}
+
+static void write_legend_entry(struct html *page, const char *kind, struct phrase words,
                                json_int_t count)
 {
     html_open(page, "li");
@@ -31,6 +39,28 @@ static void write_legend_entry(struct html *page, const char *kind, struct words
     html_close(page, "li");
 }
 
+/* Turn colours: an entry for each that has a name of its own, and one for the others. */
+static void write_turns(struct html *page, const json_t *scene)
+{
+    enum { TURNS = 6 };
+    const struct phrase parts = {"parts", "partes"};
+    const json_t *counts = json_object_get(scene, "mark_counts");
+    json_int_t others = 0;
+    for (int turn = 0; turn < TURNS; turn++) {
+        char kind[16];
+        snprintf(kind, sizeof kind, "turn-%d", turn);
+        json_int_t count = json_integer_value(json_object_get(counts, kind));
+        struct phrase name = mark_name(scene, kind, (struct phrase){NULL, NULL});
+        if (name.en && count > 0)
+            write_legend_entry(page, kind, name, count);
+        else
+            others += count;
+    }
+    json_int_t all = json_integer_value(json_object_get(scene, "turn_count"));
+    if (others > 0)
+        write_legend_entry(page, "turns", mark_name(scene, "turns", parts), all ? all : others);
+}
+
 static void write_legend(struct html *page, const json_t *scene)
 {
     const json_t *counts = json_object_get(scene, "mark_counts");
@@ -38,18 +68,20 @@ static void write_legend(struct html *page, const json_t *scene)
     html_open(page, "ul");
     html_attribute(page, "class", "legend");
     if (json_integer_value(ok_count) > 0)
-        write_legend_entry(page, "ok", (struct words){"right", "correcta"},
+        write_legend_entry(page, "ok", (struct phrase){"right", "correcta"},
                            json_integer_value(ok_count));
     for (size_t i = 0; i < sizeof mark_words / sizeof *mark_words; i++) {
         json_int_t count = json_integer_value(json_object_get(counts, mark_words[i].kind));
         if (count > 0)
-            write_legend_entry(page, mark_words[i].kind, mark_words[i].words, count);
+            write_legend_entry(page, mark_words[i].kind,
+                               mark_name(scene, mark_words[i].kind, mark_words[i].words), count);
     }
+    write_turns(page, scene);
     html_close(page, "ul");
     if (json_is_true(json_object_get(scene, "cut")))
         html_both_leaf(page, "p", "quiet",
-                       (struct words){"Only the neighbourhood of the marks is shown.",
-                                      "Solo se muestra el entorno de las marcas."});
+                       (struct phrase){"Only the neighbourhood of the marks is shown.",
+                                       "Solo se muestra el entorno de las marcas."});
 }
 
 /* The view's data stands in a script of its own, because a page that was opened from a file may
@@ -92,13 +124,13 @@ static void write_view(struct html *page, const struct page_context *context, co
     html_attribute(page, "type", "button");
     html_attribute(page, "class", "turn");
     html_flag(page, "hidden");
-    html_both(page, (struct words){"Turn it in 3D", "Girarlo en 3D"});
+    html_both(page, (struct phrase){"Turn it in 3D", "Girarlo en 3D"});
     html_close(page, "button");
     html_close(page, "div");
 }
 
 static void write_figure(struct html *page, const struct page_context *context, const char *stem,
-                         const json_t *scene, struct words message)
+                         const json_t *scene, struct phrase message)
 {
     char picture[DOCUMENT_PATH_BYTES];
     struct error ignored = {""};
@@ -119,7 +151,7 @@ static void write_figure(struct html *page, const struct page_context *context, 
     html_close(page, "figure");
 }
 
-static void write_term(struct html *page, struct words term, const char *text)
+static void write_term(struct html *page, struct phrase term, const char *text)
 {
     if (*text == '\0')
         return;
@@ -132,11 +164,10 @@ static void write_term(struct html *page, struct words term, const char *text)
 static void write_facts(struct html *page, const json_t *result, const json_t *one)
 {
     html_open(page, "dl");
-    char element[400];
-    if (*result_text(one, "element")) {
-        html_both_leaf(page, "dt", NULL, (struct words){"where", "dónde"});
-        html_both_leaf(page, "dd", NULL,
-                       words_element(result_text(one, "element"), element, sizeof element));
+    struct phrase element = words_in(one, "element");
+    if (*element.en) {
+        html_both_leaf(page, "dt", NULL, (struct phrase){"where", "dónde"});
+        html_both_leaf(page, "dd", NULL, element);
     }
     size_t i;
     json_t *part;
@@ -144,19 +175,18 @@ static void write_facts(struct html *page, const json_t *result, const json_t *o
     {
         if (strcmp(result_text(part, "name"), result_text(one, "class")) != 0)
             continue;
-        html_both_leaf(page, "dt", NULL, (struct words){"class", "clase"});
+        html_both_leaf(page, "dt", NULL, (struct phrase){"class", "clase"});
         html_both_leaf(page, "dd", NULL, words_in(part, "title"));
     }
     char cause[64];
     if (*result_text(one, "cause")) {
-        html_both_leaf(page, "dt", NULL, (struct words){"cause", "causa"});
-        html_both_leaf(page, "dd", NULL,
-                       words_cause(result_text(one, "cause"), cause, sizeof cause));
+        html_both_leaf(page, "dt", NULL, (struct phrase){"cause", "causa"});
+        html_both_leaf(page, "dd", NULL, words_cause(one, cause, sizeof cause));
     }
-    write_term(page, (struct words){"seed", "semilla"}, result_text(one, "seed"));
+    write_term(page, (struct phrase){"seed", "semilla"}, result_text(one, "seed"));
     html_close(page, "dl");
     if (*result_text(one, "reproduce")) {
-        html_both_leaf(page, "p", "again", (struct words){"See it again:", "Verlo otra vez:"});
+        html_both_leaf(page, "p", "again", (struct phrase){"See it again:", "Verlo otra vez:"});
         html_open(page, "pre");
         html_attribute(page, "class", "command");
         html_attribute(page, "tabindex", "0");

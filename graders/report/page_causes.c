@@ -8,15 +8,15 @@
 
 /* A few names stand open, many behind a line to open. */
 static void write_students(struct html *page, const struct gradebook *book,
-                           const struct exercise *exercise, const struct causes *causes,
-                           const struct cause *cause)
+                           const struct book_exercise *exercise, const struct causes *causes,
+                           const struct class_cause *cause)
 {
     enum { OPEN_NAMES = 4 };
     bool is_long = cause->student_count > OPEN_NAMES;
     html_open(page, is_long ? "details" : "div");
     html_attribute(page, "class", "who");
     if (is_long)
-        html_both_leaf(page, "summary", NULL, (struct words){"who", "quiénes"});
+        html_both_leaf(page, "summary", NULL, (struct phrase){"who", "quiénes"});
     bool is_first = true;
     for (size_t s = 0; s < book->student_count; s++) {
         if (!causes_touch(causes, cause, s))
@@ -37,24 +37,24 @@ static void write_students(struct html *page, const struct gradebook *book,
 }
 
 static void write_cause(struct html *page, const struct gradebook *book,
-                        const struct exercise *exercise, const struct causes *causes,
-                        const struct cause *cause)
+                        const struct book_exercise *exercise, const struct causes *causes,
+                        const struct class_cause *cause)
 {
     char label[64];
     html_open(page, "li");
     html_open(page, "span");
     html_attribute(page, "class", "tally");
     html_format(page, "%zu", cause->student_count);
-    html_both(page, (struct words){" of ", " de "});
+    html_both(page, (struct phrase){" of ", " de "});
     html_format(page, "%zu", causes->answer_count);
     html_close(page, "span");
     html_open(page, "div");
-    html_both_leaf(page, "b", NULL, words_cause(cause->slug, label, sizeof label));
+    html_both_leaf(page, "b", NULL, causes_name(cause, label, sizeof label));
     if (*cause->example.en) {
         html_open(page, "span");
         html_attribute(page, "class", "example");
         if (cause->student_count > 1)
-            html_both(page, (struct words){"For example: ", "Por ejemplo: "});
+            html_both(page, (struct phrase){"For example: ", "Por ejemplo: "});
         html_both(page, cause->example);
         html_close(page, "span");
     }
@@ -90,7 +90,7 @@ static int write_exercise(struct html *page, const struct gradebook *book, size_
 void page_causes(struct html *page, const struct gradebook *book)
 {
     html_both_leaf(page, "h2", NULL,
-                   (struct words){"Most frequent causes", "Causas más frecuentes"});
+                   (struct phrase){"Most frequent causes", "Causas más frecuentes"});
     html_open(page, "div");
     html_attribute(page, "class", "cards");
     for (size_t e = 0; e < book->exercise_count; e++)

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-static void write_number(struct html *page, const char *number, struct words label)
+static void write_number(struct html *page, const char *number, struct phrase label)
 {
     html_open(page, "div");
     html_attribute(page, "class", "fact");
@@ -30,12 +30,12 @@ static double sum_of_totals(const struct gradebook *book, size_t *count)
 
 static void write_totals(struct html *page, const struct gradebook *book)
 {
-    size_t counts[OUTCOME_COUNT] = {0};
+    size_t counts[STANDING_COUNT] = {0};
     size_t scored = 0;
     double sum = sum_of_totals(book, &scored);
     for (size_t s = 0; s < book->student_count; s++)
         for (size_t e = 0; e < book->exercise_count; e++)
-            counts[result_outcome(book->students[s].results[e])]++;
+            counts[result_standing(book->students[s].results[e])]++;
     char text[80];
     char points[32];
     char max_points[32];
@@ -43,24 +43,24 @@ static void write_totals(struct html *page, const struct gradebook *book)
     html_attribute(page, "class", "facts-row");
     snprintf(text, sizeof text, "%zu", book->student_count);
     write_number(page, text,
-                 book->student_count == 1 ? (struct words){"student", "estudiante"}
-                                          : (struct words){"students", "estudiantes"});
+                 book->student_count == 1 ? (struct phrase){"student", "estudiante"}
+                                          : (struct phrase){"students", "estudiantes"});
     snprintf(text, sizeof text, "%zu", book->exercise_count);
     write_number(page, text,
-                 book->exercise_count == 1 ? (struct words){"exercise", "ejercicio"}
-                                           : (struct words){"exercises", "ejercicios"});
+                 book->exercise_count == 1 ? (struct phrase){"exercise", "ejercicio"}
+                                           : (struct phrase){"exercises", "ejercicios"});
     if (scored > 0) {
         words_of_points(sum / (double)scored, points, sizeof points);
         words_of_points(book->max_score, max_points, sizeof max_points);
         snprintf(text, sizeof text, "%s / %s", points, max_points);
-        write_number(page, text, (struct words){"mean total", "total medio"});
+        write_number(page, text, (struct phrase){"mean total", "total medio"});
     }
-    snprintf(text, sizeof text, "%zu", counts[OUTCOME_PASSED]);
+    snprintf(text, sizeof text, "%zu", counts[STANDING_PASSED]);
     write_number(page, text,
-                 (struct words){"answers with full marks", "respuestas con nota máxima"});
-    if (counts[OUTCOME_UNSCORED] > 0) {
-        snprintf(text, sizeof text, "%zu", counts[OUTCOME_UNSCORED]);
-        write_number(page, text, (struct words){"wait for a person", "esperan a una persona"});
+                 (struct phrase){"answers with full marks", "respuestas con nota máxima"});
+    if (counts[STANDING_UNSCORED] > 0) {
+        snprintf(text, sizeof text, "%zu", counts[STANDING_UNSCORED]);
+        write_number(page, text, (struct phrase){"wait for a person", "esperan a una persona"});
     }
     html_close(page, "div");
 }
@@ -115,14 +115,14 @@ static void write_distribution(struct html *page, const struct gradebook *book)
         most = bins[i] > most ? bins[i] : most;
 
     html_both_leaf(page, "h2", NULL,
-                   (struct words){"Distribution of totals", "Distribución de los totales"});
+                   (struct phrase){"Distribution of totals", "Distribución de los totales"});
     html_open(page, "svg");
     html_attribute(page, "class", "chart distribution");
     html_attribute(page, "role", "img");
     html_attribute_format(page, "viewBox", "0 0 %d %d", CHART_WIDTH, CHART_HEIGHT);
     html_both_attribute(page, "aria-label",
-                        (struct words){"Students by percent of the maximum total",
-                                       "Estudiantes por porcentaje del total máximo"});
+                        (struct phrase){"Students by percent of the maximum total",
+                                        "Estudiantes por porcentaje del total máximo"});
     html_open(page, "line");
     html_attribute(page, "class", "axis");
     html_attribute_format(page, "x2", "%d", CHART_WIDTH);
@@ -134,12 +134,12 @@ static void write_distribution(struct html *page, const struct gradebook *book)
     html_close(page, "svg");
     html_open(page, "p");
     html_attribute(page, "class", "quiet");
-    html_both(page, (struct words){"Students by percent of the maximum total.",
-                                   "Estudiantes por porcentaje del total máximo."});
+    html_both(page, (struct phrase){"Students by percent of the maximum total.",
+                                    "Estudiantes por porcentaje del total máximo."});
     if (left_out > 0) {
         html_format(page, " %zu ", left_out);
-        html_both(page, (struct words){"with answers that are not scored yet are left out.",
-                                       "con respuestas aún sin nota no se cuentan."});
+        html_both(page, (struct phrase){"with answers that are not scored yet are left out.",
+                                        "con respuestas aún sin nota no se cuentan."});
     }
     html_close(page, "p");
 }
@@ -158,7 +158,7 @@ static void write_table_head(struct html *page, const struct gradebook *book)
     html_open(page, "thead");
     html_open(page, "tr");
     write_sort_header(page, "name");
-    html_both(page, (struct words){"Student", "Estudiante"});
+    html_both(page, (struct phrase){"Student", "Estudiante"});
     html_close(page, "th");
     for (size_t e = 0; e < book->exercise_count; e++) {
         write_sort_header(page, "number");
@@ -168,7 +168,7 @@ static void write_table_head(struct html *page, const struct gradebook *book)
         html_close(page, "th");
     }
     write_sort_header(page, "number");
-    html_both(page, (struct words){"Total", "Total"});
+    html_both(page, (struct phrase){"Total", "Total"});
     html_close(page, "th");
     html_close(page, "tr");
     html_close(page, "thead");
@@ -177,15 +177,15 @@ static void write_table_head(struct html *page, const struct gradebook *book)
 static void write_cell(struct html *page, const struct student *student, const json_t *result,
                        const char *exercise)
 {
-    enum outcome outcome = result_outcome(result);
+    enum standing standing = result_standing(result);
     html_open(page, "td");
-    html_attribute_format(page, "class", "cell %s", words_of_outcome(outcome).en);
+    html_attribute_format(page, "class", "cell %s", words_of_standing(standing).en);
     html_attribute_format(page, "data-value", "%.2f",
-                          outcome == OUTCOME_ABSENT     ? -2.0
-                          : outcome == OUTCOME_UNSCORED ? -1.0
-                                                        : result_number(result, "score"));
+                          standing == STANDING_ABSENT     ? -2.0
+                          : standing == STANDING_UNSCORED ? -1.0
+                                                          : result_number(result, "score"));
     if (!result) {
-        page_symbol(page, outcome);
+        page_symbol(page, standing);
         html_close(page, "td");
         return;
     }
@@ -196,8 +196,8 @@ static void write_cell(struct html *page, const struct student *student, const j
     html_open(page, "a");
     html_path(page, "href", path);
     html_both_attribute(page, "title", words_verdict(result_text(result, "verdict")));
-    page_symbol(page, outcome);
-    if (outcome == OUTCOME_UNSCORED)
+    page_symbol(page, standing);
+    if (standing == STANDING_UNSCORED)
         html_both_leaf(page, "span", "word", words_verdict(result_text(result, "verdict")));
     else
         html_leaf(page, "span", "points", score);
@@ -233,7 +233,7 @@ static void write_row(struct html *page, const struct gradebook *book,
         html_open(page, "span");
         html_both_attribute(
             page, "title",
-            (struct words){"and answers that are not scored yet", "y respuestas aún sin nota"});
+            (struct phrase){"and answers that are not scored yet", "y respuestas aún sin nota"});
         html_text(page, " + ?");
         html_close(page, "span");
     }
@@ -266,7 +266,7 @@ static void write_means(struct html *page, const struct gradebook *book)
     html_open(page, "th");
     html_attribute(page, "scope", "row");
     html_attribute(page, "class", "name");
-    html_both(page, (struct words){"Mean of those scored", "Media de las puntuadas"});
+    html_both(page, (struct phrase){"Mean of those scored", "Media de las puntuadas"});
     html_close(page, "th");
     for (size_t e = 0; e < book->exercise_count; e++) {
         double sum = 0;
@@ -289,19 +289,19 @@ static void write_means(struct html *page, const struct gradebook *book)
 
 static void write_key(struct html *page)
 {
-    static const struct words meanings[OUTCOME_COUNT] = {
-        [OUTCOME_PASSED] = {"full marks", "nota máxima"},
-        [OUTCOME_PARTIAL] = {"some points", "algunos puntos"},
-        [OUTCOME_FAILED] = {"no points", "ningún punto"},
-        [OUTCOME_UNSCORED] = {"not scored: a person must look",
-                              "sin nota: debe mirarlo una persona"},
-        [OUTCOME_ABSENT] = {"nothing submitted", "no entregado"},
+    static const struct phrase meanings[STANDING_COUNT] = {
+        [STANDING_PASSED] = {"full marks", "nota máxima"},
+        [STANDING_PARTIAL] = {"some points", "algunos puntos"},
+        [STANDING_FAILED] = {"no points", "ningún punto"},
+        [STANDING_UNSCORED] = {"not scored: a person must look",
+                               "sin nota: debe mirarlo una persona"},
+        [STANDING_ABSENT] = {"nothing submitted", "no entregado"},
     };
     html_open(page, "p");
     html_attribute(page, "class", "key");
-    for (int i = 0; i < OUTCOME_COUNT; i++) {
+    for (int i = 0; i < STANDING_COUNT; i++) {
         html_open(page, "span");
-        page_symbol(page, (enum outcome)i);
+        page_symbol(page, (enum standing)i);
         html_text(page, " ");
         html_both(page, meanings[i]);
         html_close(page, "span");
@@ -312,13 +312,13 @@ static void write_key(struct html *page)
 
 static void write_marks(struct html *page, const struct gradebook *book)
 {
-    html_both_leaf(page, "h2", NULL, (struct words){"Marks", "Notas"});
+    html_both_leaf(page, "h2", NULL, (struct phrase){"Marks", "Notas"});
     write_key(page);
     html_open(page, "div");
     html_attribute(page, "class", "scroll");
     html_attribute(page, "tabindex", "0");
     html_attribute(page, "role", "region");
-    html_both_attribute(page, "aria-label", (struct words){"Table of marks", "Tabla de notas"});
+    html_both_attribute(page, "aria-label", (struct phrase){"Table of marks", "Tabla de notas"});
     html_open(page, "table");
     html_attribute(page, "class", "marks sortable");
     write_table_head(page, book);
@@ -356,14 +356,14 @@ static void write_unscored(struct html *page, const struct student *student, con
 static void write_waiting(struct html *page, const struct gradebook *book)
 {
     html_both_leaf(page, "h2", NULL,
-                   (struct words){"Waiting for a person", "Pendiente de una persona"});
+                   (struct phrase){"Waiting for a person", "Pendiente de una persona"});
     bool any = false;
     html_open(page, "ul");
     html_attribute(page, "class", "staff");
     for (size_t s = 0; s < book->student_count; s++) {
         for (size_t e = 0; e < book->exercise_count; e++) {
             const json_t *result = book->students[s].results[e];
-            if (result_outcome(result) != OUTCOME_UNSCORED)
+            if (result_standing(result) != STANDING_UNSCORED)
                 continue;
             write_unscored(page, &book->students[s], result);
             any = true;
@@ -371,8 +371,8 @@ static void write_waiting(struct html *page, const struct gradebook *book)
     }
     if (!any)
         html_both_leaf(page, "li", "quiet",
-                       (struct words){"Nothing: every answer was scored.",
-                                      "Nada: todas las respuestas tienen nota."});
+                       (struct phrase){"Nothing: every answer was scored.",
+                                       "Nada: todas las respuestas tienen nota."});
     html_close(page, "ul");
 }
 
@@ -396,17 +396,17 @@ static void write_sheet(struct html *page, const struct page_context *context)
     if (!page_has_file(context, "pictures/class.png"))
         return;
     html_both_leaf(page, "h2", NULL,
-                   (struct words){"What went wrong, in pictures", "Qué falló, en imágenes"});
+                   (struct phrase){"What went wrong, in pictures", "Qué falló, en imágenes"});
     page_picture(page, context, "pictures/class.png",
-                 (struct words){"Contact sheet: one picture for each frequent cause",
-                                "Hoja de contactos: una imagen por cada causa frecuente"});
+                 (struct phrase){"Contact sheet: one picture for each frequent cause",
+                                 "Hoja de contactos: una imagen por cada causa frecuente"});
 }
 
 void page_class(struct html *page, const struct page_context *context, const struct gradebook *book)
 {
     page_begin(page, context, "meshgrade: class", page_course(book), false);
     html_both_leaf(page, "h1", NULL,
-                   (struct words){"Results of the class", "Resultados de la clase"});
+                   (struct phrase){"Results of the class", "Resultados de la clase"});
     write_totals(page, book);
     write_marks(page, book);
     html_open(page, "div");
@@ -420,7 +420,7 @@ void page_class(struct html *page, const struct page_context *context, const str
     html_close(page, "div");
     page_causes(page, book);
     write_sheet(page, context);
-    html_both_leaf(page, "h2", NULL, (struct words){"How it was graded", "Cómo se corrigió"});
+    html_both_leaf(page, "h2", NULL, (struct phrase){"How it was graded", "Cómo se corrigió"});
     write_protections(page, book);
     page_end(page, book);
 }

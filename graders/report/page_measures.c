@@ -30,18 +30,18 @@ static void write_ratio_cell(struct html *page, double value, double by)
 
 /* Work at doubling sizes: how much more each doubling costs, and how much more than the reference.
  */
-static void write_doubling_table(struct html *page, const json_t *family, struct words element)
+static void write_doubling_table(struct html *page, const json_t *family, struct phrase element)
 {
     html_open(page, "table");
     html_attribute(page, "class", "doubling");
     html_open(page, "thead");
     html_open(page, "tr");
-    const struct words heads[] = {element,
-                                  {"your instructions", "tus instrucciones"},
-                                  {"per doubling", "al doblar"},
-                                  {"reference", "referencia"},
-                                  {"per doubling", "al doblar"},
-                                  {"you / reference", "tú / referencia"}};
+    const struct phrase heads[] = {element,
+                                   {"your instructions", "tus instrucciones"},
+                                   {"per doubling", "al doblar"},
+                                   {"reference", "referencia"},
+                                   {"per doubling", "al doblar"},
+                                   {"you / reference", "tú / referencia"}};
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
         html_open(page, "th");
         html_attribute(page, "scope", "col");
@@ -78,11 +78,11 @@ static void write_family_title(struct html *page, const json_t *family, const js
     html_open(page, "p");
     html_leaf(page, "code", NULL, result_text(family, "name"));
     if (fit) {
-        html_both(page, (struct words){": grows like ", ": crece como "});
+        html_both(page, (struct phrase){": grows like ", ": crece como "});
         html_leaf(page, "b", NULL, result_text(fit, "class"));
         html_format(page, " (n^%.2f)", result_number(fit, "exponent"));
     }
-    html_both(page, (struct words){"; allowed: ", "; se permite: "});
+    html_both(page, (struct phrase){"; allowed: ", "; se permite: "});
     html_leaf(page, "b", NULL, result_text(growth, "allowed"));
     html_close(page, "p");
 }
@@ -91,25 +91,23 @@ static void write_growth(struct html *page, const json_t *result)
 {
     const json_t *growth = json_object_get(json_object_get(result, "measures"), "growth");
     const json_t *decides = chart_growth_family(result);
-    struct words element = words_in(growth, "element");
-    if (!*element.en)
-        element = (struct words){"size", "tamaño"};
+    struct phrase elements = chart_elements(result);
     json_t *scene = chart_of_growth(result);
     html_open(page, "div");
     html_attribute(page, "class", "measure");
     html_both_leaf(page, "h3", NULL,
-                   (struct words){"Growth of the work", "Crecimiento del trabajo"});
+                   (struct phrase){"Growth of the work", "Crecimiento del trabajo"});
     write_family_title(page, decides, growth);
     html_open(page, "div");
     html_attribute(page, "class", "two");
     if (scene)
         chart_draw(page, scene,
-                   (struct words){"Instructions of submission and reference against size",
-                                  "Instrucciones de la entrega y la referencia según el tamaño"});
+                   (struct phrase){"Instructions of submission and reference against size",
+                                   "Instrucciones de la entrega y la referencia según el tamaño"});
     html_open(page, "div");
     html_attribute(page, "class", "scroll");
     html_attribute(page, "tabindex", "0");
-    write_doubling_table(page, decides, element);
+    write_doubling_table(page, decides, elements);
     html_close(page, "div");
     html_close(page, "div");
     size_t i;
@@ -123,7 +121,7 @@ static void write_growth(struct html *page, const json_t *result)
         html_leaf(page, "code", NULL, result_text(family, "name"));
         html_close(page, "summary");
         write_family_title(page, family, growth);
-        write_doubling_table(page, family, element);
+        write_doubling_table(page, family, elements);
         html_close(page, "details");
     }
     html_close(page, "div");
@@ -132,7 +130,7 @@ static void write_growth(struct html *page, const json_t *result)
 
 /* ---------------------------------------------------------------- memory and work */
 
-static void write_bar(struct html *page, const char *class_name, struct words label, double bytes,
+static void write_bar(struct html *page, const char *class_name, struct phrase label, double bytes,
                       double most)
 {
     enum { WIDTH = 300, HEIGHT = 16 };
@@ -183,12 +181,12 @@ static void write_memory_chart(struct html *page, const json_t *result)
         return;
     html_open(page, "div");
     html_open(page, "p");
-    html_both(page, (struct words){"The same at all sizes of ", "Lo mismo en cada tamaño de "});
+    html_both(page, (struct phrase){"The same at all sizes of ", "Lo mismo en cada tamaño de "});
     html_leaf(page, "code", NULL, result_text(scene, "subtitle"));
     html_close(page, "p");
     chart_draw(page, scene,
-               (struct words){"Peak memory of submission and reference against size",
-                              "Memoria máxima de la entrega y la referencia según el tamaño"});
+               (struct phrase){"Peak memory of submission and reference against size",
+                               "Memoria máxima de la entrega y la referencia según el tamaño"});
     html_close(page, "div");
     json_decref(scene);
 }
@@ -202,18 +200,18 @@ static void write_memory(struct html *page, const json_t *result)
     double most = own > limit ? own : limit;
     html_open(page, "div");
     html_attribute(page, "class", "measure");
-    html_both_leaf(page, "h3", NULL, (struct words){"Peak memory", "Memoria máxima"});
+    html_both_leaf(page, "h3", NULL, (struct phrase){"Peak memory", "Memoria máxima"});
     html_open(page, "p");
     write_memory_input(page, result);
     html_format(page, ": %.2f ", result_number(memory, "ratio"));
-    html_both(page, (struct words){"times the reference; allowed: ",
-                                   "veces la referencia; se permiten: "});
+    html_both(page, (struct phrase){"times the reference; allowed: ",
+                                    "veces la referencia; se permiten: "});
     html_format(page, "%.6g", result_number(memory, "band"));
     if (json_object_get(memory, "allocations")) {
         double count = result_number(memory, "allocations");
         html_format(page, "; %.0f ", count);
-        html_both(page, count == 1 ? (struct words){"allocation", "reserva"}
-                                   : (struct words){"allocations", "reservas"});
+        html_both(page, count == 1 ? (struct phrase){"allocation", "reserva"}
+                                   : (struct phrase){"allocations", "reservas"});
     }
     html_close(page, "p");
     html_open(page, "div");
@@ -221,9 +219,9 @@ static void write_memory(struct html *page, const json_t *result)
     html_open(page, "table");
     html_attribute(page, "class", "bars");
     html_open(page, "tbody");
-    write_bar(page, "own", (struct words){"submission", "entrega"}, own, most);
-    write_bar(page, "reference", (struct words){"reference", "referencia"}, reference, most);
-    write_bar(page, "limit", (struct words){"allowed", "permitida"}, limit, most);
+    write_bar(page, "own", (struct phrase){"submission", "entrega"}, own, most);
+    write_bar(page, "reference", (struct phrase){"reference", "referencia"}, reference, most);
+    write_bar(page, "limit", (struct phrase){"allowed", "permitida"}, limit, most);
     html_close(page, "tbody");
     html_close(page, "table");
     write_memory_chart(page, result);
@@ -235,17 +233,17 @@ static void write_work(struct html *page, const json_t *work)
 {
     html_open(page, "p");
     html_attribute(page, "class", "work");
-    html_both(page, (struct words){"Work at the largest size: ", "Trabajo en el tamaño mayor: "});
+    html_both(page, (struct phrase){"Work at the largest size: ", "Trabajo en el tamaño mayor: "});
     html_format(page, "%.2f ", result_number(work, "ratio"));
-    html_both(page, (struct words){"times the reference; allowed: ",
-                                   "veces la referencia; se permiten: "});
+    html_both(page, (struct phrase){"times the reference; allowed: ",
+                                    "veces la referencia; se permiten: "});
     html_format(page, "%.6g", result_number(work, "band"));
     if (json_object_get(work, "instruction_ratio")) {
-        html_both(page, (struct words){"; instructions × ", "; instrucciones × "});
+        html_both(page, (struct phrase){"; instructions × ", "; instrucciones × "});
         html_format(page, "%.2f", result_number(work, "instruction_ratio"));
     }
     if (json_object_get(work, "miss_ratio")) {
-        html_both(page, (struct words){", cache misses × ", ", fallos de caché × "});
+        html_both(page, (struct phrase){", cache misses × ", ", fallos de caché × "});
         html_format(page, "%.2f", result_number(work, "miss_ratio"));
     }
     html_close(page, "p");
@@ -262,7 +260,7 @@ void page_measures(struct html *page, const json_t *result)
     html_open(page, "details");
     html_attribute(page, "class", "measures");
     html_flag(page, "open");
-    html_both_leaf(page, "summary", NULL, (struct words){"Work and memory", "Trabajo y memoria"});
+    html_both_leaf(page, "summary", NULL, (struct phrase){"Work and memory", "Trabajo y memoria"});
     if (has_growth)
         write_growth(page, result);
     if (work)

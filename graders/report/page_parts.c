@@ -80,7 +80,7 @@ static void write_language_switch(struct html *page)
 }
 
 void page_begin(struct html *page, const struct page_context *context, const char *title,
-                struct words course, bool has_views)
+                struct phrase course, bool has_views)
 {
     html_open(page, "html");
     html_attribute(page, "lang", "en");
@@ -89,7 +89,7 @@ void page_begin(struct html *page, const struct page_context *context, const cha
     html_open(page, "a");
     html_attribute(page, "class", "skip");
     html_path(page, "href", "#main");
-    html_both(page, (struct words){"Skip to the content", "Ir al contenido"});
+    html_both(page, (struct phrase){"Skip to the content", "Ir al contenido"});
     html_close(page, "a");
     html_open(page, "header");
     html_attribute(page, "class", "top");
@@ -117,31 +117,31 @@ void page_end(struct html *page, const struct gradebook *book)
     html_close(page, "html");
 }
 
-void page_symbol(struct html *page, enum outcome outcome)
+void page_symbol(struct html *page, enum standing standing)
 {
     html_open(page, "span");
-    html_attribute_format(page, "class", "symbol %s", words_of_outcome(outcome).en);
+    html_attribute_format(page, "class", "symbol %s", words_of_standing(standing).en);
     html_open(page, "span");
     html_attribute(page, "aria-hidden", "true");
-    html_text(page, words_symbol(outcome));
+    html_text(page, words_symbol(standing));
     html_close(page, "span");
-    html_both_leaf(page, "span", "unseen", words_of_outcome(outcome));
+    html_both_leaf(page, "span", "unseen", words_of_standing(standing));
     html_close(page, "span");
 }
 
 void page_score(struct html *page, const json_t *result)
 {
-    enum outcome outcome = result_outcome(result);
+    enum standing standing = result_standing(result);
     char score[32];
     char max_score[32];
     words_of_points(result_number(result, "score"), score, sizeof score);
     words_of_points(result_number(result, "max_score"), max_score, sizeof max_score);
     html_open(page, "span");
-    html_attribute_format(page, "class", "score %s", words_of_outcome(outcome).en);
-    page_symbol(page, outcome);
+    html_attribute_format(page, "class", "score %s", words_of_standing(standing).en);
+    page_symbol(page, standing);
     html_text(page, " ");
-    if (outcome == OUTCOME_UNSCORED) {
-        html_both(page, (struct words){"not scored", "sin nota"});
+    if (standing == STANDING_UNSCORED) {
+        html_both(page, (struct phrase){"not scored", "sin nota"});
     } else {
         html_leaf(page, "b", NULL, score);
         html_format(page, " / %s", max_score);
@@ -152,7 +152,8 @@ void page_score(struct html *page, const json_t *result)
 void page_verdict(struct html *page, const char *verdict)
 {
     html_open(page, "span");
-    html_attribute_format(page, "class", "verdict %s", words_of_outcome(words_outcome(verdict)).en);
+    html_attribute_format(page, "class", "verdict %s",
+                          words_of_standing(words_standing(verdict)).en);
     html_both(page, words_verdict(verdict));
     html_close(page, "span");
 }
@@ -166,7 +167,7 @@ bool page_has_file(const struct page_context *context, const char *path)
 }
 
 void page_picture(struct html *page, const struct page_context *context, const char *path,
-                  struct words alt)
+                  struct phrase alt)
 {
     char from_page[DOCUMENT_PATH_BYTES];
     struct error ignored = {""};
@@ -185,12 +186,12 @@ void page_picture(struct html *page, const struct page_context *context, const c
 
 void page_pictures_note(struct html *page, const struct page_context *context)
 {
-    struct words reason = words_in(context->pictures_status, "reason");
+    struct phrase reason = words_in(context->pictures_status, "reason");
     if (*reason.en == '\0')
         return;
     html_open(page, "p");
     html_attribute(page, "class", "note");
-    html_both(page, (struct words){"Pictures were not drawn: ", "No se dibujaron las imágenes: "});
+    html_both(page, (struct phrase){"Pictures were not drawn: ", "No se dibujaron las imágenes: "});
     html_both(page, reason);
     html_close(page, "p");
 }
@@ -245,15 +246,15 @@ static void write_count_list(struct html *page, json_t *counts, size_t total)
             char es[64];
             snprintf(en, sizeof en, " (%lld of %zu results)", json_integer_value(number), total);
             snprintf(es, sizeof es, " (%lld de %zu resultados)", json_integer_value(number), total);
-            html_both(page, (struct words){en, es});
+            html_both(page, (struct phrase){en, es});
         }
         html_close(page, "li");
     }
     html_close(page, "ul");
 }
 
-static void write_counts(struct html *page, struct words title, json_t *counts, size_t total,
-                         struct words none)
+static void write_counts(struct html *page, struct phrase title, json_t *counts, size_t total,
+                         struct phrase none)
 {
     html_both_leaf(page, "h3", NULL, title);
     if (json_object_size(counts) == 0)
@@ -311,7 +312,7 @@ static void write_not_run(struct html *page, size_t case_count, size_t answer_co
              "Sin ejecutar: %zu caso%s de %zu respuesta%s, porque otros no terminaron a tiempo.",
              case_count, plural_ending((long long)case_count), answer_count,
              plural_ending((long long)answer_count));
-    html_both_leaf(page, "li", NULL, (struct words){en, es});
+    html_both_leaf(page, "li", NULL, (struct phrase){en, es});
 }
 
 /* What was not measured although its probe was there: checks that a tool could not finish, cases
@@ -332,8 +333,8 @@ static void write_left_out(struct html *page, json_t *const *results, size_t res
         write_not_run(page, case_count, answer_count);
     if (unmeasured + case_count == 0 && !probes_are_missing)
         html_both_leaf(page, "li", "quiet",
-                       (struct words){"Every tool was there, and finished what it was to measure.",
-                                      "Todas las herramientas estaban y terminaron sus medidas."});
+                       (struct phrase){"Every tool was there, and finished what it was to measure.",
+                                       "Todas las herramientas estaban y terminaron sus medidas."});
     html_close(page, "ul");
 }
 
@@ -352,15 +353,15 @@ void page_protections(struct html *page, json_t *const *results, size_t result_c
     html_open(page, "div");
     html_attribute(page, "class", "columns");
     html_open(page, "div");
-    write_counts(page, (struct words){"Protections active", "Protecciones activas"}, active, total,
-                 (struct words){"None.", "Ninguna."});
+    write_counts(page, (struct phrase){"Protections active", "Protecciones activas"}, active, total,
+                 (struct phrase){"None.", "Ninguna."});
     html_close(page, "div");
     html_open(page, "div");
-    write_counts(page, (struct words){"Not active here", "No activas aquí"}, inactive, total,
-                 (struct words){"All were active.", "Todas estaban activas."});
+    write_counts(page, (struct phrase){"Not active here", "No activas aquí"}, inactive, total,
+                 (struct phrase){"All were active.", "Todas estaban activas."});
     html_close(page, "div");
     html_open(page, "div");
-    html_both_leaf(page, "h3", NULL, (struct words){"Not measured", "No medido"});
+    html_both_leaf(page, "h3", NULL, (struct phrase){"Not measured", "No medido"});
     write_count_list(page, missing, total);
     write_left_out(page, results, result_count, json_object_size(missing) > 0);
     html_close(page, "div");
@@ -370,15 +371,15 @@ void page_protections(struct html *page, json_t *const *results, size_t result_c
     json_decref(missing);
 }
 
-struct words page_course(const struct gradebook *book)
+struct phrase page_course(const struct gradebook *book)
 {
     size_t i;
     json_t *result;
     json_array_foreach(book->all, i, result)
     {
-        struct words course = words_in(result, "course");
+        struct phrase course = words_in(result, "course");
         if (*course.en)
             return course;
     }
-    return (struct words){"Triangle meshes", "Mallas de triángulos"};
+    return (struct phrase){"Triangle meshes", "Mallas de triángulos"};
 }

@@ -17,7 +17,7 @@ static void write_overview(struct html *page, const struct gradebook *book,
         char anchor[160];
         snprintf(anchor, sizeof anchor, "#%s", book->exercises[e].name);
         html_open(page, "li");
-        html_attribute(page, "class", words_of_outcome(result_outcome(result)).en);
+        html_attribute(page, "class", words_of_standing(result_standing(result)).en);
         html_open(page, result ? "a" : "div");
         if (result)
             html_path(page, "href", anchor);
@@ -28,9 +28,9 @@ static void write_overview(struct html *page, const struct gradebook *book,
         } else {
             html_open(page, "span");
             html_attribute(page, "class", "score absent");
-            page_symbol(page, OUTCOME_ABSENT);
+            page_symbol(page, STANDING_ABSENT);
             html_text(page, " ");
-            html_both(page, (struct words){"not submitted", "no entregado"});
+            html_both(page, (struct phrase){"not submitted", "no entregado"});
             html_close(page, "span");
         }
         html_close(page, result ? "a" : "div");
@@ -41,13 +41,13 @@ static void write_overview(struct html *page, const struct gradebook *book,
 
 /* ---------------------------------------------------------------- points */
 
-static enum outcome outcome_of_points(double points, double max_points, const char *verdict)
+static enum standing standing_of_points(double points, double max_points, const char *verdict)
 {
-    if (words_outcome(verdict) == OUTCOME_ABSENT)
-        return OUTCOME_ABSENT;
+    if (words_standing(verdict) == STANDING_ABSENT)
+        return STANDING_ABSENT;
     if (points >= max_points)
-        return OUTCOME_PASSED;
-    return points > 0 ? OUTCOME_PARTIAL : OUTCOME_FAILED;
+        return STANDING_PASSED;
+    return points > 0 ? STANDING_PARTIAL : STANDING_FAILED;
 }
 
 static void write_points(struct html *page, double points, double max_points)
@@ -63,13 +63,13 @@ static void write_points(struct html *page, double points, double max_points)
     html_close(page, "td");
 }
 
-static void start_points_table(struct html *page, struct words title, struct words second)
+static void start_points_table(struct html *page, struct phrase title, struct phrase second)
 {
     html_open(page, "table");
     html_attribute(page, "class", "points-table");
     html_open(page, "thead");
     html_open(page, "tr");
-    const struct words heads[] = {title, second, {"Points", "Puntos"}};
+    const struct phrase heads[] = {title, second, {"Points", "Puntos"}};
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
         html_open(page, "th");
         html_attribute(page, "scope", "col");
@@ -83,12 +83,12 @@ static void start_points_table(struct html *page, struct words title, struct wor
     html_open(page, "tbody");
 }
 
-static void write_row_head(struct html *page, enum outcome outcome, struct words title)
+static void write_row_head(struct html *page, enum standing standing, struct phrase title)
 {
     html_open(page, "tr");
     html_open(page, "th");
     html_attribute(page, "scope", "row");
-    page_symbol(page, outcome);
+    page_symbol(page, standing);
     html_text(page, " ");
     html_both(page, title);
     html_close(page, "th");
@@ -104,10 +104,10 @@ static void write_not_run(struct html *page, const json_t *result)
     html_attribute(page, "class", "quiet");
     html_both(page, not_run.reason);
     html_text(page, " ");
-    html_both(page, (struct words){"What was not run gives no points; mend what stands below "
-                                   "first, then the others are run too.",
-                                   "Lo que no se ejecutó no da puntos; corrige primero lo de abajo "
-                                   "y se ejecutarán también los demás."});
+    html_both(page,
+              (struct phrase){"Fix the problems below first; the remaining cases run after that.",
+                              "Corrige primero los problemas de abajo; los demás casos se "
+                              "ejecutarán después."});
     html_close(page, "p");
 }
 
@@ -116,16 +116,16 @@ static void write_classes(struct html *page, const json_t *result)
     size_t i;
     json_t *part;
     html_open(page, "div");
-    start_points_table(page, (struct words){"Class of input", "Clase de entrada"},
-                       (struct words){"Cases", "Casos"});
+    start_points_table(page, (struct phrase){"Class of input", "Clase de entrada"},
+                       (struct phrase){"Cases", "Casos"});
     json_array_foreach(json_object_get(result, "classes"), i, part)
     {
         char en[80];
         char es[80];
         result_class_tally(result, part, false, en, sizeof en);
         result_class_tally(result, part, true, es, sizeof es);
-        write_row_head(page, result_class_outcome(result, part), words_in(part, "title"));
-        html_both_leaf(page, "td", NULL, (struct words){en, es});
+        write_row_head(page, result_class_standing(result, part), words_in(part, "title"));
+        html_both_leaf(page, "td", NULL, (struct phrase){en, es});
         write_points(page, result_number(part, "points"), result_number(part, "max_points"));
         html_close(page, "tr");
     }
@@ -141,18 +141,18 @@ static void write_checks(struct html *page, const json_t *result)
     json_t *part;
     if (json_array_size(json_object_get(result, "checks")) == 0)
         return;
-    start_points_table(page, (struct words){"Check", "Comprobación"},
-                       (struct words){"Outcome", "Resultado"});
+    start_points_table(page, (struct phrase){"Check", "Comprobación"},
+                       (struct phrase){"Outcome", "Resultado"});
     json_array_foreach(json_object_get(result, "checks"), i, part)
     {
         const char *verdict = result_text(part, "verdict");
         double points = result_number(part, "points");
         double max_points = result_number(part, "max_points");
-        write_row_head(page, outcome_of_points(points, max_points, verdict),
+        write_row_head(page, standing_of_points(points, max_points, verdict),
                        words_in(part, "title"));
         html_open(page, "td");
         html_both(page, words_verdict(verdict));
-        if (*words_in(part, "message").en && words_outcome(verdict) != OUTCOME_PASSED)
+        if (*words_in(part, "message").en && words_standing(verdict) != STANDING_PASSED)
             html_both_leaf(page, "span", "message", words_in(part, "message"));
         html_close(page, "td");
         write_points(page, points, max_points);
@@ -166,8 +166,8 @@ static void write_checks(struct html *page, const json_t *result)
 
 static bool is_rejected(const json_t *one)
 {
-    enum outcome outcome = words_outcome(result_text(one, "verdict"));
-    return outcome == OUTCOME_FAILED || outcome == OUTCOME_UNSCORED;
+    enum standing standing = words_standing(result_text(one, "verdict"));
+    return standing == STANDING_FAILED || standing == STANDING_UNSCORED;
 }
 
 /* Whether a rejected case stands open: the first with its cause, and the second, if it has a
@@ -205,7 +205,7 @@ static void write_cases(struct html *page, const struct page_context *context, c
 {
     if (write_cases_that(true, NULL, context, result) == 0)
         return;
-    html_both_leaf(page, "h3", NULL, (struct words){"What went wrong", "Qué ha fallado"});
+    html_both_leaf(page, "h3", NULL, (struct phrase){"What went wrong", "Qué ha fallado"});
     write_cases_that(true, page, context, result);
     size_t more = write_cases_that(false, NULL, context, result);
     if (more == 0)
@@ -214,16 +214,16 @@ static void write_cases(struct html *page, const struct page_context *context, c
     html_attribute(page, "class", "more");
     html_open(page, "summary");
     html_format(page, "%zu ", more);
-    html_both(page, more == 1 ? (struct words){"more rejected, for the same cause",
-                                               "más rechazado, por la misma causa"}
-                              : (struct words){"more rejected, for the same causes",
-                                               "más rechazados, por las mismas causas"});
+    html_both(page, more == 1 ? (struct phrase){"more rejected, for the same cause",
+                                                "más rechazado, por la misma causa"}
+                              : (struct phrase){"more rejected, for the same causes",
+                                                "más rechazados, por las mismas causas"});
     html_close(page, "summary");
     write_cases_that(false, page, context, result);
     html_close(page, "details");
 }
 
-static void write_untrusted(struct html *page, const json_t *text, struct words title, bool open)
+static void write_untrusted(struct html *page, const json_t *text, struct phrase title, bool open)
 {
     if (json_string_length(text) == 0)
         return;
@@ -246,7 +246,7 @@ static void write_files(struct html *page, const json_t *result)
     if (json_array_size(files) == 0)
         return;
     html_open(page, "details");
-    html_both_leaf(page, "summary", NULL, (struct words){"Files graded", "Ficheros corregidos"});
+    html_both_leaf(page, "summary", NULL, (struct phrase){"Files graded", "Ficheros corregidos"});
     html_open(page, "ul");
     html_attribute(page, "class", "files");
     json_array_foreach(files, i, file)
@@ -280,7 +280,7 @@ static void write_exercise(struct html *page, const struct page_context *context
     html_close(page, "h2");
     html_open(page, "p");
     html_attribute_format(page, "class", "sentence %s",
-                          words_of_outcome(result_outcome(result)).en);
+                          words_of_standing(result_standing(result)).en);
     page_score(page, result);
     html_text(page, " ");
     page_verdict(page, result_text(result, "verdict"));
@@ -288,7 +288,7 @@ static void write_exercise(struct html *page, const struct page_context *context
     html_both(page, words_in(result, "summary"));
     html_close(page, "p");
     write_untrusted(page, json_object_get(build, "diagnostics"),
-                    (struct words){"What the compiler said", "Lo que dijo el compilador"},
+                    (struct phrase){"What the compiler said", "Lo que dijo el compilador"},
                     json_is_false(json_object_get(build, "ok")));
     html_open(page, "div");
     html_attribute(page, "class", "two");
@@ -298,7 +298,7 @@ static void write_exercise(struct html *page, const struct page_context *context
     write_cases(page, context, result);
     page_measures(page, result);
     write_untrusted(page, json_object_get(result, "output"),
-                    (struct words){"What the program printed", "Lo que imprimió el programa"},
+                    (struct phrase){"What the program printed", "Lo que imprimió el programa"},
                     false);
     write_files(page, result);
     html_close(page, "section");
@@ -332,7 +332,7 @@ static void write_heading(struct html *page, const struct page_context *context,
     html_open(page, "a");
     html_path(page, "href", path);
     html_text(page, "← ");
-    html_both(page, (struct words){"the class", "la clase"});
+    html_both(page, (struct phrase){"the class", "la clase"});
     html_close(page, "a");
     html_close(page, "p");
     html_open(page, "h1");
@@ -344,10 +344,10 @@ static void write_heading(struct html *page, const struct page_context *context,
     html_attribute(page, "class", "grand-total");
     html_leaf(page, "b", NULL, total);
     html_format(page, " / %s ", max_total);
-    html_both(page, (struct words){"points", "puntos"});
+    html_both(page, (struct phrase){"points", "puntos"});
     if (student->unscored > 0) {
         html_format(page, ", %d ", student->unscored);
-        html_both(page, (struct words){"not scored yet", "aún sin nota"});
+        html_both(page, (struct phrase){"not scored yet", "aún sin nota"});
     }
     html_close(page, "p");
 }
@@ -366,13 +366,13 @@ void page_student(struct html *page, const struct page_context *context,
         if (student->results[e])
             write_exercise(page, context, student->results[e]);
     if (page_has_file(context, sheet)) {
-        html_both_leaf(page, "h2", NULL, (struct words){"All pictures", "Todas las imágenes"});
+        html_both_leaf(page, "h2", NULL, (struct phrase){"All pictures", "Todas las imágenes"});
         page_picture(page, context, sheet,
-                     (struct words){"Contact sheet of the pictures above",
-                                    "Hoja de contactos de las imágenes anteriores"});
+                     (struct phrase){"Contact sheet of the pictures above",
+                                     "Hoja de contactos de las imágenes anteriores"});
     }
     html_open(page, "section");
-    html_both_leaf(page, "h2", NULL, (struct words){"How it was graded", "Cómo se corrigió"});
+    html_both_leaf(page, "h2", NULL, (struct phrase){"How it was graded", "Cómo se corrigió"});
     page_protections(page, student->results, book->exercise_count);
     html_close(page, "section");
     page_end(page, book);

@@ -35,7 +35,7 @@ struct drawing {
     const char *renderer;
     int drawn;
     size_t undrawn;
-    struct words reason; /* why; set with the first that was not drawn */
+    struct phrase reason; /* why; set with the first that was not drawn */
     int useless_in_a_row;
 };
 
@@ -222,7 +222,7 @@ static size_t count_fresh(const struct job *job, const char *out)
     return fresh;
 }
 
-static void note_undrawn(struct drawing *drawing, size_t count, struct words reason)
+static void note_undrawn(struct drawing *drawing, size_t count, struct phrase reason)
 {
     if (count > 0 && !drawing->reason.en)
         drawing->reason = reason;
@@ -253,7 +253,7 @@ static int draw(struct drawing *drawing, struct job *job, const char *sheet, con
     json_decref(json);
     if (status != 0)
         return -1;
-    struct words reason = {NULL, NULL};
+    struct phrase reason = {NULL, NULL};
     enum renderer_end end =
         renderer_run(drawing->renderer, path, renderer_limit_ms(job->stale), &reason);
     unlink(path);
@@ -322,7 +322,7 @@ static int add_share(struct drawing *drawing, int from, struct error *err)
     drawing->drawn += share.drawn;
     if (share.reason[0] && !drawing->reason.en)
         told = share;
-    note_undrawn(drawing, share.undrawn, (struct words){told.reason, told.reason_es});
+    note_undrawn(drawing, share.undrawn, (struct phrase){told.reason, told.reason_es});
     return 0;
 }
 
@@ -366,16 +366,16 @@ static int add_causes(struct job *job, const char *out, const struct gradebook *
         return -1;
     int status = 0;
     for (size_t i = 0; status == 0 && i < causes.count; i++) {
-        const struct cause *cause = &causes.list[i];
+        const struct class_cause *cause = &causes.list[i];
         char stem[DOCUMENT_PATH_BYTES];
         char picture[DOCUMENT_PATH_BYTES];
         char slug[64];
         char caption[300];
         if (!cause->case_name)
             continue;
-        words_of_slug(cause->slug, slug, sizeof slug);
         snprintf(caption, sizeof caption, "%s: %s (%zu of %zu)", book->exercises[exercise].name,
-                 slug, cause->student_count, causes.answer_count);
+                 causes_name(cause, slug, sizeof slug).en, cause->student_count,
+                 causes.answer_count);
         status =
             document_path(stem, err, "%s/%s/%s", result_text(cause->scene_result, "student_folder"),
                           book->exercises[exercise].name, cause->case_name);

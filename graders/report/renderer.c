@@ -15,31 +15,31 @@ extern char **environ;
 
 enum { NOTHING_DRAWN = 2, NOT_STARTED = 127 };
 
-struct words renderer_absent_reason(void)
+struct phrase renderer_absent_reason(void)
 {
-    return (struct words){
+    return (struct phrase){
         "the program meshgrade-render is not there (it is built where VTK and OpenImageIO are: "
         "`make deps && make`).",
         "falta el programa meshgrade-render (se construye donde hay VTK y OpenImageIO: "
         "`make deps && make`)."};
 }
 
-struct words renderer_default_reason(void)
+struct phrase renderer_default_reason(void)
 {
-    return (struct words){"meshgrade-render left some out; run it by hand to see why.",
-                          "meshgrade-render dejó algunas; ejecútelo a mano para ver por qué."};
+    return (struct phrase){"meshgrade-render left some out; run it by hand to see why.",
+                           "meshgrade-render dejó algunas; ejecútelo a mano para ver por qué."};
 }
 
-static const struct words no_gl = {
+static const struct phrase no_gl = {
     "meshgrade-render found no OpenGL on this machine (libegl1 and libgl1-mesa-dri give it one in "
     "software).",
     "meshgrade-render no encontró OpenGL en esta máquina (libegl1 y libgl1-mesa-dri dan uno por "
     "software)."};
-static const struct words out_of_time = {"meshgrade-render did not end in time and was stopped.",
-                                         "meshgrade-render no terminó a tiempo y se detuvo."};
-static const struct words crashed = {"meshgrade-render crashed.", "meshgrade-render se rompió."};
-static const struct words not_started = {"meshgrade-render could not be started.",
-                                         "meshgrade-render no se pudo iniciar."};
+static const struct phrase out_of_time = {"meshgrade-render did not end in time and was stopped.",
+                                          "meshgrade-render no terminó a tiempo y se detuvo."};
+static const struct phrase crashed = {"meshgrade-render crashed.", "meshgrade-render se rompió."};
+static const struct phrase not_started = {"meshgrade-render could not be started.",
+                                          "meshgrade-render no se pudo iniciar."};
 
 static int start(const char *program, const char *job_path, pid_t *pid)
 {
@@ -88,7 +88,7 @@ int renderer_limit_ms(size_t picture_count)
 }
 
 enum renderer_end renderer_run(const char *program, const char *job_path, int limit_ms,
-                               struct words *reason)
+                               struct phrase *reason)
 {
     int status = 0;
     pid_t pid = 0;

@@ -18,13 +18,13 @@ enum renderer_end {
  * program  may be NULL: useless
  * reason   set when it did not end well, else left alone; static text */
 enum renderer_end renderer_run(const char *program, const char *job_path, int limit_ms,
-                               struct words *reason);
+                               struct phrase *reason);
 
 /* The limit for a job of that many pictures: 30 s, and 10 s a picture. */
 int renderer_limit_ms(size_t picture_count);
 
 /* Why pictures are missing: when the program is not there, and when nothing else is known. */
-struct words renderer_absent_reason(void);
-struct words renderer_default_reason(void);
+struct phrase renderer_absent_reason(void);
+struct phrase renderer_default_reason(void);
 
 #endif

@@ -19,17 +19,17 @@ double result_number(const json_t *object, const char *key)
     return json_number_value(json_object_get(object, key));
 }
 
-enum outcome result_outcome(const json_t *result)
+enum standing result_standing(const json_t *result)
 {
     if (!result)
-        return OUTCOME_ABSENT;
-    enum outcome outcome = words_outcome(result_text(result, "verdict"));
+        return STANDING_ABSENT;
+    enum standing standing = words_standing(result_text(result, "verdict"));
     double score = result_number(result, "score");
-    if (outcome == OUTCOME_UNSCORED)
-        return outcome;
+    if (standing == STANDING_UNSCORED)
+        return standing;
     if (score >= result_number(result, "max_score"))
-        return OUTCOME_PASSED;
-    return score > 0 ? OUTCOME_PARTIAL : OUTCOME_FAILED;
+        return STANDING_PASSED;
+    return score > 0 ? STANDING_PARTIAL : STANDING_FAILED;
 }
 
 /* ---------------------------------------------------------------- classes of cases */
@@ -63,14 +63,14 @@ static struct tally tally_of(const json_t *result, const json_t *class_entry)
                           json_integer_value(json_object_get(class_entry, "passed"))};
 }
 
-enum outcome result_class_outcome(const json_t *result, const json_t *class_entry)
+enum standing result_class_standing(const json_t *result, const json_t *class_entry)
 {
     double points = result_number(class_entry, "points");
     if (points >= result_number(class_entry, "max_points"))
-        return OUTCOME_PASSED;
+        return STANDING_PASSED;
     if (points > 0)
-        return OUTCOME_PARTIAL;
-    return tally_of(result, class_entry).run <= 0 ? OUTCOME_ABSENT : OUTCOME_FAILED;
+        return STANDING_PARTIAL;
+    return tally_of(result, class_entry).run <= 0 ? STANDING_ABSENT : STANDING_FAILED;
 }
 
 void result_class_tally(const json_t *result, const json_t *class_entry, bool spanish, char *text,
@@ -141,8 +141,8 @@ int gradebook_load(const char *out, struct gradebook *book, struct error *err)
     for (size_t i = 0; status == 0 && folders && folders[i]; i++)
         status = load_folder(out, folders[i], all, err);
     if (status == 0 && json_array_size(all) == 0)
-        status = error_set(err, "%s holds no results; run `meshgrade grade PATH... -o %s` first",
-                           path, out);
+        status = error_set_request(
+            err, "%s holds no results; run `meshgrade grade PATH... -o %s` first", path, out);
     if (status == 0)
         status = gradebook_from(all, book, err);
     json_decref(all);
@@ -154,8 +154,8 @@ int gradebook_load(const char *out, struct gradebook *book, struct error *err)
 
 static int by_problem(const void *a, const void *b)
 {
-    const struct exercise *one = a;
-    const struct exercise *other = b;
+    const struct book_exercise *one = a;
+    const struct book_exercise *other = b;
     int order = strverscmp(one->problem, other->problem);
     return order ? order : strcmp(one->name, other->name);
 }
@@ -168,7 +168,7 @@ static int by_name(const void *a, const void *b)
     return order ? order : strcmp(one->folder, other->folder);
 }
 
-static struct exercise *find_exercise(struct gradebook *book, const char *name)
+static struct book_exercise *find_exercise(struct gradebook *book, const char *name)
 {
     for (size_t i = 0; i < book->exercise_count; i++)
         if (strcmp(book->exercises[i].name, name) == 0)
@@ -197,7 +197,7 @@ static int collect(struct gradebook *book, struct error *err)
     {
         const char *name = result_text(result, "exercise");
         if (!find_exercise(book, name))
-            book->exercises[book->exercise_count++] = (struct exercise){
+            book->exercises[book->exercise_count++] = (struct book_exercise){
                 .name = name,
                 .problem = result_text(result, "problem"),
                 .title = words_in(result, "title"),
@@ -215,7 +215,7 @@ static int collect(struct gradebook *book, struct error *err)
 
 static int place(struct gradebook *book, json_t *result, struct error *err)
 {
-    struct exercise *exercise = find_exercise(book, result_text(result, "exercise"));
+    struct book_exercise *exercise = find_exercise(book, result_text(result, "exercise"));
     struct student *student = find_student(book, result_text(result, "student_folder"));
     if (!exercise || !student)
         return error_set(err, "a result is neither of a student nor of an exercise of the class");
@@ -229,7 +229,7 @@ static int place(struct gradebook *book, json_t *result, struct error *err)
             "another version? run `meshgrade grade --rejudge`)",
             student->folder, exercise->name);
     *cell = result;
-    if (result_outcome(result) == OUTCOME_UNSCORED)
+    if (result_standing(result) == STANDING_UNSCORED)
         student->unscored++;
     return 0;
 }

@@ -9,10 +9,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-struct exercise {
+struct book_exercise {
     const char *name;    /* borrowed from the first result of the exercise, like the others */
     const char *problem; /* number in the course */
-    struct words title;
+    struct phrase title;
     double max_score;
 };
 
@@ -26,11 +26,11 @@ struct student {
 
 struct gradebook {
     size_t exercise_count, student_count;
-    struct exercise *exercises; /* by number in the course, then name */
-    struct student *students;   /* by name, then folder */
-    double max_score;           /* sum over the exercises */
-    json_t **cells;             /* every student's results, borrowed from `all` */
-    json_t *all;                /* owns the results: an array in no order */
+    struct book_exercise *exercises; /* by number in the course, then name */
+    struct student *students;        /* by name, then folder */
+    double max_score;                /* sum over the exercises */
+    json_t **cells;                  /* every student's results, borrowed from `all` */
+    json_t *all;                     /* owns the results: an array in no order */
 };
 
 /* Reads OUT/results. Every file is checked (result_check, and that it stands where it says): the
@@ -44,21 +44,21 @@ int gradebook_from(json_t *results, struct gradebook *book, struct error *err) M
 /* A zeroed gradebook may be released too. */
 void gradebook_release(struct gradebook *book);
 
-/* The outcome of a result for its colour: passed, partial (some points, not all), failed, unscored;
- * absent for NULL. */
-enum outcome result_outcome(const json_t *result);
+/* The standing of a result for its colour: passed, partial (some points, not all), failed,
+ * unscored; absent for NULL. */
+enum standing result_standing(const json_t *result);
 
 /* The cases of a class that were left out, because others before them did not end in time. */
 struct not_run {
     size_t count;
-    struct words reason; /* what the first of them says; both empty when there is none */
+    struct phrase reason; /* what the first of them says; both empty when there is none */
 };
 
 /* Those of a class of a result; of all its classes when class_name is NULL. */
 struct not_run result_not_run(const json_t *result, const char *class_name);
 
-/* The outcome of a class, an entry of the result's classes: absent when no case of it was run. */
-enum outcome result_class_outcome(const json_t *result, const json_t *class_entry);
+/* The standing of a class, an entry of the result's classes: absent when no case of it was run. */
+enum standing result_class_standing(const json_t *result, const json_t *class_entry);
 
 /* How many of the class's cases passed: "3 of 4", "0 of 2, 2 not run", "not run". Writes at most
  * `capacity` bytes. */

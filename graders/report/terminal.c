@@ -38,7 +38,7 @@ static const json_t *telling_check(const json_t *result)
     return NULL;
 }
 
-static struct words class_title(const json_t *result, const char *name)
+static struct phrase class_title(const json_t *result, const char *name)
 {
     size_t i;
     json_t *part;
@@ -47,7 +47,7 @@ static struct words class_title(const json_t *result, const char *name)
         if (strcmp(result_text(part, "name"), name) == 0)
             return words_in(part, "title");
     }
-    return (struct words){name, name};
+    return (struct phrase){name, name};
 }
 
 /* The line of the compiler that says what is wrong: the first with "error", else the first. */
@@ -65,13 +65,10 @@ static void put_where(FILE *to, const json_t *result, const struct terminal_styl
     const json_t *one = telling_case(result);
     const json_t *check = telling_check(result);
     char place[700];
-    char element[400];
+    const char *element = words_choose(words_in(one, "element"), style->spanish);
     if (one)
-        snprintf(place, sizeof place, "%s%s%s %s (%s)",
-                 words_choose(words_element(result_text(one, "element"), element, sizeof element),
-                              style->spanish),
-                 *result_text(one, "element") ? ", " : "", style->spanish ? "caso" : "case",
-                 result_text(one, "name"),
+        snprintf(place, sizeof place, "%s%s%s %s (%s)", element, *element ? ", " : "",
+                 style->spanish ? "caso" : "case", result_text(one, "name"),
                  words_choose(class_title(result, result_text(one, "class")), style->spanish));
     else if (strcmp(result_text(result, "verdict"), "compile-error") == 0)
         first_diagnostic(result_text(json_object_get(result, "build"), "diagnostics"), place,
@@ -103,14 +100,14 @@ static bool put_what(FILE *to, const char *verdict, const char *message,
 {
     char start[128];
     char sentence[700];
-    enum outcome outcome = words_outcome(verdict);
+    enum standing standing = words_standing(verdict);
     size_t length = terminal_sentence(message);
     snprintf(sentence, sizeof sentence, "%.*s", (int)length, message);
-    snprintf(start, sizeof start, "%s %s: ", words_symbol(outcome),
+    snprintf(start, sizeof start, "%s %s: ", words_symbol(standing),
              words_choose(words_verdict(verdict), style->spanish));
     if (clean_columns(start) + clean_columns(sentence) > TERMINAL_COLUMNS)
-        snprintf(start, sizeof start, "%s ", words_symbol(outcome));
-    terminal_colour(to, style, outcome);
+        snprintf(start, sizeof start, "%s ", words_symbol(standing));
+    terminal_colour(to, style, standing);
     bool whole = terminal_line(to, start, sentence, TERMINAL_COLUMNS);
     terminal_plain(to, style);
     return whole && message[length] == '\0';
@@ -125,7 +122,7 @@ static void put_head(FILE *to, const json_t *result, const struct terminal_style
     if (!*message)
         message = words_choose(words_in(result, "summary"), style->spanish);
     bool told = put_what(to, verdict, message, style);
-    if (words_outcome(verdict) == OUTCOME_PASSED)
+    if (words_standing(verdict) == STANDING_PASSED)
         return;
     put_where(to, result, style);
     put_again(to, result, style);
@@ -138,8 +135,8 @@ static void put_head(FILE *to, const json_t *result, const struct terminal_style
 /* ---------------------------------------------------------------- points */
 
 /* "✓ Closed meshes              4 of 4      2 / 2" */
-static void put_row(FILE *to, const struct terminal_style *style, enum outcome outcome,
-                    struct words title, const char *middle, const json_t *part)
+static void put_row(FILE *to, const struct terminal_style *style, enum standing standing,
+                    struct phrase title, const char *middle, const json_t *part)
 {
     char given[32];
     char possible[32];
@@ -148,8 +145,8 @@ static void put_row(FILE *to, const struct terminal_style *style, enum outcome o
     words_of_points(result_number(part, "max_points"), possible, sizeof possible);
     snprintf(points, sizeof points, "%s / %s", given, possible);
     fputs("  ", to);
-    terminal_colour(to, style, outcome);
-    fputs(words_symbol(outcome), to);
+    terminal_colour(to, style, standing);
+    fputs(words_symbol(standing), to);
     terminal_plain(to, style);
     fputc(' ', to);
     terminal_cell(to, words_choose(title, style->spanish), 37, false);
@@ -160,13 +157,13 @@ static void put_row(FILE *to, const struct terminal_style *style, enum outcome o
     fputc('\n', to);
 }
 
-static enum outcome outcome_of_check(const json_t *check)
+static enum standing standing_of_check(const json_t *check)
 {
-    if (words_outcome(result_text(check, "verdict")) == OUTCOME_ABSENT)
-        return OUTCOME_ABSENT;
+    if (words_standing(result_text(check, "verdict")) == STANDING_ABSENT)
+        return STANDING_ABSENT;
     if (result_number(check, "points") >= result_number(check, "max_points"))
-        return OUTCOME_PASSED;
-    return result_number(check, "points") > 0 ? OUTCOME_PARTIAL : OUTCOME_FAILED;
+        return STANDING_PASSED;
+    return result_number(check, "points") > 0 ? STANDING_PARTIAL : STANDING_FAILED;
 }
 
 static void put_points(FILE *to, const json_t *result, const struct terminal_style *style)
@@ -185,12 +182,12 @@ static void put_points(FILE *to, const json_t *result, const struct terminal_sty
                  : style->spanish           ? " caso"
                                             : " case",
                  cases == 0 || left_out > 0 ? "" : plural_ending(cases));
-        put_row(to, style, result_class_outcome(result, part), words_in(part, "title"), middle,
+        put_row(to, style, result_class_standing(result, part), words_in(part, "title"), middle,
                 part);
     }
     json_array_foreach(json_object_get(result, "checks"), i, part)
     {
-        put_row(to, style, outcome_of_check(part), words_in(part, "title"),
+        put_row(to, style, standing_of_check(part), words_in(part, "title"),
                 words_choose(words_verdict(result_text(part, "verdict")), style->spanish), part);
     }
 }
@@ -201,7 +198,7 @@ static void put_score(FILE *to, const json_t *result, const struct terminal_styl
     char points[80];
     snprintf(title, sizeof title, "%s %s", result_text(result, "problem"),
              words_choose(words_in(result, "title"), style->spanish));
-    if (result_outcome(result) == OUTCOME_UNSCORED) {
+    if (result_standing(result) == STANDING_UNSCORED) {
         snprintf(points, sizeof points, "%s", style->spanish ? "sin nota" : "not scored");
     } else {
         char given[32];
@@ -222,29 +219,35 @@ static void put_score(FILE *to, const json_t *result, const struct terminal_styl
 
 /* ---------------------------------------------------------------- the rest */
 
-/* Whether a check says why it gave no points: it failed, or a tool could not finish it. */
+/* Whether a check says why it gave no points: it failed, a tool could not finish it, or a call that
+ * it rests on went wrong. That something before it failed is no reason of its own. */
 static bool tells_why(const json_t *check)
 {
+    static const char *const told_elsewhere[] = {"no-valgrind", "not-reached", "basic-class", ""};
     const char *verdict = result_text(check, "verdict");
-    return words_outcome(verdict) == OUTCOME_FAILED ||
-           (strcmp(verdict, "not-measured") == 0 &&
-            strcmp(result_text(check, "cause"), "no-valgrind") != 0);
+    if (words_standing(verdict) != STANDING_ABSENT)
+        return words_standing(verdict) == STANDING_FAILED;
+    for (size_t i = 0; i < sizeof told_elsewhere / sizeof *told_elsewhere; i++)
+        if (strcmp(result_text(check, "cause"), told_elsewhere[i]) == 0)
+            return false;
+    return true;
 }
 
-/* Checks without points say why; the one that the first lines told does not say it again. */
+/* Checks without points say why. What the first lines told, or the check before, is not said again.
+ */
 static void put_check_messages(FILE *to, const json_t *result, const struct terminal_style *style)
 {
     size_t i;
     json_t *check;
-    bool any = false;
+    const char *last = "";
     const json_t *told = telling_case(result) ? NULL : telling_check(result);
     json_array_foreach(json_object_get(result, "checks"), i, check)
     {
         const char *message = words_choose(words_in(check, "message"), style->spanish);
-        if (check == told || !tells_why(check) || !*message)
+        if (check == told || !tells_why(check) || strcmp(message, last) == 0)
             continue;
-        fputs(any ? "" : "\n", to);
-        any = true;
+        fputs(*last ? "" : "\n", to);
+        last = message;
         terminal_paragraph(to, "  ", message);
     }
 }
@@ -258,7 +261,7 @@ static void put_other_cases(FILE *to, const json_t *result, const struct termina
     json_t *one;
     json_array_foreach(json_object_get(result, "cases"), i, one)
     {
-        if (one == told || words_outcome(result_text(one, "verdict")) != OUTCOME_FAILED)
+        if (one == told || words_standing(result_text(one, "verdict")) != STANDING_FAILED)
             continue;
         if (count == 0)
             fputs(style->spanish ? "\nOtros casos rechazados\n" : "\nOther rejected cases\n", to);

@@ -53,15 +53,15 @@ static void put_header(FILE *to, const struct gradebook *book, size_t width, boo
 static void put_mark(FILE *to, const json_t *result, size_t width,
                      const struct terminal_style *style)
 {
-    enum outcome outcome = result_outcome(result);
+    enum standing standing = result_standing(result);
     char mark[64];
     char points[32];
     words_of_points(result_number(result, "score"), points, sizeof points);
-    bool has_points = outcome != OUTCOME_UNSCORED && outcome != OUTCOME_ABSENT;
-    snprintf(mark, sizeof mark, "%s%s%s", words_symbol(outcome), has_points ? " " : "",
+    bool has_points = standing != STANDING_UNSCORED && standing != STANDING_ABSENT;
+    snprintf(mark, sizeof mark, "%s%s%s", words_symbol(standing), has_points ? " " : "",
              has_points ? points : "");
     fputc(' ', to);
-    terminal_colour(to, style, outcome);
+    terminal_colour(to, style, standing);
     terminal_cell(to, mark, width, true);
     terminal_plain(to, style);
 }

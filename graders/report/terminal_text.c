@@ -8,15 +8,15 @@
 
 enum { TEXT_LIMIT_BYTES = 2000 };
 
-void terminal_colour(FILE *to, const struct terminal_style *style, enum outcome outcome)
+void terminal_colour(FILE *to, const struct terminal_style *style, enum standing standing)
 {
-    static const char *const codes[OUTCOME_COUNT] = {
-        [OUTCOME_PASSED] = "\033[32m",   [OUTCOME_PARTIAL] = "\033[33m",
-        [OUTCOME_FAILED] = "\033[1;31m", [OUTCOME_UNSCORED] = "\033[35m",
-        [OUTCOME_ABSENT] = "\033[2m",
+    static const char *const codes[STANDING_COUNT] = {
+        [STANDING_PASSED] = "\033[32m",   [STANDING_PARTIAL] = "\033[33m",
+        [STANDING_FAILED] = "\033[1;31m", [STANDING_UNSCORED] = "\033[35m",
+        [STANDING_ABSENT] = "\033[2m",
     };
     if (style->colour)
-        fputs(codes[outcome], to);
+        fputs(codes[standing], to);
 }
 
 void terminal_plain(FILE *to, const struct terminal_style *style)

@@ -9,8 +9,8 @@
 
 enum { TERMINAL_COLUMNS = 80 };
 
-/* Starts an outcome's colour, and goes back to plain; nothing when the style has no colour. */
-void terminal_colour(FILE *to, const struct terminal_style *style, enum outcome outcome);
+/* Starts an standing's colour, and goes back to plain; nothing when the style has no colour. */
+void terminal_colour(FILE *to, const struct terminal_style *style, enum standing standing);
 void terminal_plain(FILE *to, const struct terminal_style *style);
 
 /* One line: `start` (trusted) and `text`, cut with "..." to `columns`. Returns whether it was

@@ -10,8 +10,10 @@
   const most_views = 6;
   const colours = {
     missing: 0xd6202f, duplicate: 0xf08a10, extra: 0xbe19a0, degenerate: 0x0068be,
-    boundary: 0xf0c400, flipped: 0x008c6e, wrong: 0x3c2878
+    boundary: 0xf0c400, flipped: 0xa83e16, wrong: 0x3c2878, right: 0x008060,
+    "turn-0": 0x426eaa, "turn-1": 0x927030, "turn-2": 0x68b2d6, "turn-3": 0x707a8a, "turn-4": 0x78843e, "turn-5": 0xb47c98
   };
+  const few_vertices = 36, path_heads = 14;
   const strip_colours = [0x56a0d3, 0xf0ba5c, 0x5cb896, 0xd68cb2, 0xece280, 0x9e96ce];
   const front_colour = 0xdfe5ee, back_colour = 0xf2c28f, voxel_colour = 0x8fb3d3, backdrop = 0xeef2f6;
   const words = {
@@ -109,22 +111,24 @@
 
   /* ------------------------------------------------------------ marks */
 
-  /* Marks are drawn twice: as they are, and pale through the surface, so that those behind show. */
-  function add_twice(group, make) {
+  /* Marks are drawn twice: as they are, and pale through the surface, so that those behind show. Not
+     those of what is no fault and would only hide what lies before it. */
+  function add_twice(group, make, has_ghost) {
     group.add(make(1, true));
+    if (has_ghost === false) return;
     const ghost = make(0.22, false);
     ghost.renderOrder = 1;
     group.add(ghost);
   }
 
-  function add_edge_marks(group, points, colour, lines) {
+  function add_edge_marks(group, points, colour, lines, has_ghost) {
     const geometry = new THREE.LineSegmentsGeometry();
     geometry.setPositions(points);
     add_twice(group, function (opacity, depth_test) {
       const material = new THREE.LineMaterial({ color: colour, linewidth: 5, transparent: true, opacity: opacity, depthTest: depth_test });
       lines.push(material);
       return new THREE.LineSegments2(geometry, material);
-    });
+    }, has_ghost);
   }
 
   function disc_texture() {
@@ -148,39 +152,196 @@
     })));
   }
 
-  function add_triangle_marks(group, points, colour) {
+  function add_triangle_marks(group, points, colour, has_ghost) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
     add_twice(group, (opacity, depth_test) => new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
       color: colour, side: THREE.DoubleSide, transparent: true, opacity: depth_test ? 0.85 : opacity, depthTest: depth_test,
       polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1
-    })));
+    })), has_ghost);
+  }
+
+  /* Heads of arrows, [tip side, way] each, as cones of one size. */
+  function add_heads(group, heads, colour, size, has_ghost) {
+    if (heads.length === 0) return;
+    const cone = new THREE.ConeBufferGeometry(size / 2.3, size, 12).toNonIndexed();
+    const points = [], up = new THREE.Vector3(0, 1, 0);
+    for (const head of heads) {
+      const turn = new THREE.Quaternion().setFromUnitVectors(up, head.way.clone().normalize());
+      const corner = new THREE.Vector3(), from = cone.attributes.position;
+      for (let i = 0; i < from.count; i++) {
+        corner.fromBufferAttribute(from, i).multiplyScalar(head.scale).applyQuaternion(turn).add(head.at);
+        points.push(corner.x, corner.y, corner.z);
+      }
+    }
+    const geometry = geometry_of(new Float32Array(points));
+    add_twice(group, (opacity, depth_test) => new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
+      color: colour, transparent: true, opacity: opacity, depthTest: depth_test
+    })), has_ghost);
+  }
+
+  const vector_at = (positions, i) => new THREE.Vector3(...point(positions, i));
+
+  /* A half edge lies a little inside its face: its two ends. */
+  function half_edge_ends(corners) {
+    const a = corners[0], b = corners[1], normal = new THREE.Vector3();
+    for (let i = 0; i < corners.length; i++)
+      normal.add(corners[i].clone().sub(a).cross(corners[(i + 1) % corners.length].clone().sub(a)));
+    const along = b.clone().sub(a), inwards = normal.clone().cross(along).normalize();
+    const depth = Math.max(...corners.map((corner) => corner.clone().sub(a).dot(inwards)));
+    const aside = inwards.multiplyScalar(Math.min(0.3 * depth, 0.08 * along.length()));
+    return [a.clone().addScaledVector(along, 0.1).add(aside), b.clone().addScaledVector(along, -0.1).add(aside)];
+  }
+
+  /* The lines and heads of an arrow, a half edge, a path or a loop. */
+  function add_steps(batch, mark, positions, size) {
+    let places = mark.vertex.map((v) => vector_at(positions, v));
+    if (mark.element === "half-edge") places = half_edge_ends(places);
+    if (mark.element === "loop") places.push(places[0]);
+    const is_path = mark.element === "path" || mark.element === "loop";
+    let since = is_path ? path_heads * size / 4 : 0;
+    for (let i = 0; i + 1 < places.length; i++) {
+      const way = places[i + 1].clone().sub(places[i]), step = way.length();
+      batch.segments.push(...places[i].toArray(), ...places[i + 1].toArray());
+      since += step;
+      const is_last = i + 2 === places.length;
+      if (step === 0 || (is_path && since < path_heads * size / 2 && !(is_last && batch.heads.length === 0))) continue;
+      const scale = is_path ? 1 : Math.min(1, 0.45 * step / size);
+      const at = is_path ? places[i].clone().addScaledVector(way, 0.5)
+        : places[i + 1].clone().addScaledVector(way, -scale * size / 2 / step);
+      batch.heads.push({ at: at, way: way, scale: scale });
+      since = 0;
+    }
   }
 
   function add_marks(group, marks, positions, lines) {
-    const add = { vertex: add_vertex_marks, edge: add_edge_marks, triangle: add_triangle_marks };
     const batches = {};
     const count = positions.length / 3;
+    const box = new THREE.Box3().setFromArray(positions);
+    const size = 0.03 * box.getSize(new THREE.Vector3()).length(); /* of a head */
     for (const mark of marks || []) {
-      if (!(mark.kind in colours) || !(mark.element in add) || mark.vertex.some((v) => !(v >= 0 && v < count))) continue;
-      const key = mark.element + " " + mark.kind;
-      (batches[key] = batches[key] || []).push(...[].concat(...mark.vertex.map((v) => point(positions, v))));
+      if (!(mark.kind in colours) || mark.vertex.some((v) => !(v >= 0 && v < count))) continue;
+      const solid = mark.kind.startsWith("turn") && (mark.element === "face" || mark.element === "triangle" || mark.element === "half-edge");
+      const key = mark.kind + (solid ? " solid" : "");
+      const batch = batches[key] = batches[key] || { vertices: [], segments: [], heads: [], triangles: [] };
+      const corners = (list) => [].concat(...list.map((v) => point(positions, v)));
+      if (mark.element === "vertex" || (mark.element === "edge" && mark.vertex[0] === mark.vertex[1]))
+        batch.vertices.push(...point(positions, mark.vertex[0]));
+      else if (mark.element === "edge") batch.segments.push(...corners(mark.vertex));
+      else if (mark.element === "triangle") batch.triangles.push(...corners(mark.vertex));
+      else if (mark.element === "face") batch.triangles.push(...corners(mark.fill || mark.vertex));
+      else add_steps(batch, mark, positions, size);
     }
     for (const key of Object.keys(batches)) {
-      const [element, kind] = key.split(" ");
-      add[element](group, batches[key], colours[kind], lines);
+      const [kind, solid] = key.split(" "), batch = batches[key], colour = colours[kind];
+      if (batch.vertices.length) add_vertex_marks(group, batch.vertices, colour);
+      if (batch.segments.length) add_edge_marks(group, batch.segments, colour, lines, !solid);
+      if (batch.triangles.length) add_triangle_marks(group, batch.triangles, colour, !solid);
+      add_heads(group, batch.heads, colour, size, !solid);
     }
+  }
+
+  /* ------------------------------------------------------------ numbers */
+
+  /* A number as a picture: plain for a vertex, in a box for an edge, in a circle for a face. */
+  function number_texture(text, element) {
+    const canvas = document.createElement("canvas"), context = canvas.getContext("2d");
+    const style = "600 40px sans-serif";
+    context.font = style;
+    const width = Math.max(64, Math.ceil(context.measureText(text).width) + 28);
+    canvas.width = width;
+    canvas.height = 64;
+    const round = element === "edge" ? 6 : 30;
+    context.beginPath();
+    context.moveTo(4 + round, 4);
+    context.arcTo(width - 4, 4, width - 4, 60, round);
+    context.arcTo(width - 4, 60, 4, 60, round);
+    context.arcTo(4, 60, 4, 4, round);
+    context.arcTo(4, 4, width - 4, 4, round);
+    context.fillStyle = element === "vertex" ? "rgba(255,255,255,0.75)" : "#fff";
+    context.fill();
+    context.lineWidth = 4;
+    context.strokeStyle = "#1a212e";
+    if (element !== "vertex") context.stroke();
+    context.font = style;
+    context.fillStyle = "#1a212e";
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillText(text, width / 2, 34);
+    const texture = new THREE.CanvasTexture(canvas);
+    texture.minFilter = THREE.LinearFilter;
+    return { texture: texture, wide: width / 64 };
+  }
+
+  /* A number where an element is; of vertices behind the surface it is pale. The view keeps it a little nearer
+     to the eye than the surface (userData.home). */
+  function add_number(group, at, text, element) {
+    const picture = number_texture(text, element), high = element === "vertex" ? 0.018 : 0.022;
+    add_twice(group, function (opacity, depth_test) {
+      const sprite = new THREE.Sprite(new THREE.SpriteMaterial({
+        map: picture.texture, sizeAttenuation: false, transparent: true, depthTest: depth_test, opacity: depth_test ? 1 : 0.3
+      }));
+      if (element === "vertex") sprite.center.set(0.5, -0.35);
+      sprite.scale.set(high * picture.wide, high, 1);
+      sprite.position.copy(at);
+      sprite.userData.home = at.clone();
+      return sprite;
+    }, element === "vertex");
+  }
+
+  function middle_of(positions, vertices) {
+    const sum = new THREE.Vector3();
+    for (const v of vertices) sum.add(vector_at(positions, v));
+    return sum.multiplyScalar(1 / vertices.length);
+  }
+
+  /* A place inside a face: the middle of its corners, or of its largest triangle when it is concave. */
+  function place_of(positions, label) {
+    if (!label.fill) return middle_of(positions, label.vertex);
+    let best = null, most = -1;
+    for (let i = 0; i + 2 < label.fill.length; i += 3) {
+      const corners = label.fill.slice(i, i + 3), [a, b, c] = corners.map((v) => vector_at(positions, v));
+      const area = b.clone().sub(a).cross(c.clone().sub(a)).length();
+      if (area > most) { most = area; best = middle_of(positions, corners); }
+    }
+    return label.vertex.length > 4 ? best : middle_of(positions, label.vertex);
+  }
+
+  function add_numbers(group, scene, positions) {
+    const count = positions.length / 3, named = new Set();
+    for (const label of scene.labels || []) {
+      if (label.vertex.some((v) => !(v >= 0 && v < count))) continue;
+      if (label.element === "vertex") named.add(label.vertex[0]);
+      add_number(group, place_of(positions, label), String(label.number), label.element);
+    }
+    for (let v = 0; v < count && count <= few_vertices && !scene.cut; v++)
+      if (!named.has(v)) add_number(group, vector_at(positions, v), String(v), "vertex");
   }
 
   /* ------------------------------------------------------------ kinds of scene */
 
-  function add_mesh(group, mesh, marks, lines) {
-    const positions = floats_of(mesh.positions), triangles = indices_of(mesh.triangles);
-    if (positions.length > 0 && triangles.length > 0) {
-      add_surface(group, geometry_of(positions, triangles), front_colour, back_colour);
-      add_edges(group, edges_of(positions, triangles));
+  /* The outlines of polygons, as pairs of positions. */
+  function outlines_of(positions, polygons) {
+    const sizes = indices_of(polygons.sizes), corners = indices_of(polygons.corners), points = [];
+    let first = 0;
+    for (const size of sizes) {
+      for (let i = 0; i < size; i++)
+        points.push(...point(positions, corners[first + i]), ...point(positions, corners[first + (i + 1) % size]));
+      first += size;
     }
-    add_marks(group, marks, positions, lines);
+    return points;
+  }
+
+  function add_mesh(group, scene, lines) {
+    const positions = floats_of(scene.mesh.positions), triangles = indices_of(scene.mesh.triangles);
+    if (positions.length > 0 && triangles.length > 0) {
+      const geometry = geometry_of(positions, triangles); /* polygons and few faces are flat */
+      const flat = scene.polygons || triangles.length < 3 * few_vertices;
+      add_surface(group, flat ? geometry.toNonIndexed() : geometry, front_colour, back_colour);
+      add_edges(group, scene.polygons ? outlines_of(positions, scene.polygons) : edges_of(positions, triangles));
+    }
+    add_marks(group, scene.marks, positions, lines);
+    add_numbers(group, scene, positions);
   }
 
   /* Strips in turn colours; a triangle with the wrong winding shows its back, in the mark's colour. */
@@ -237,13 +398,13 @@
       if (scene.mesh) cells.position.copy(aside).negate();
       group.add(cells);
       if (scene.mesh) {
-        add_mesh(beside, scene.mesh, scene.marks, lines);
+        add_mesh(beside, scene, lines);
         beside.position.copy(aside);
         group.add(beside);
       }
       return group;
     }
-    if (scene.mesh) add_mesh(group, scene.mesh, scene.marks, lines);
+    if (scene.mesh) add_mesh(group, scene, lines);
     return group;
   }
 
@@ -365,6 +526,10 @@
       camera.aspect = width / height;
       camera.updateProjectionMatrix();
       for (const material of lines) material.resolution.set(width, height);
+      group.traverse(function (thing) {
+        const home = thing.userData.home;
+        if (home) thing.position.copy(home).addScaledVector(thing.parent.worldToLocal(camera.position.clone()).sub(home), 0.02);
+      });
       renderer.render(scene, camera);
     }
     controls.update();

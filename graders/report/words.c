@@ -7,98 +7,70 @@
 #include <stdio.h>
 #include <string.h>
 
-struct verdict_words {
-    const char *verdict;
-    struct words words;
-    enum outcome outcome;
-};
-
-static const struct verdict_words verdicts[] = {
-    {"passed", {"passed", "superado"}, OUTCOME_PASSED},
-    {"forbidden-operation", {"forbidden operation", "operación prohibida"}, OUTCOME_FAILED},
-    {"out-of-memory", {"out of memory", "memoria agotada"}, OUTCOME_FAILED},
-    {"too-many-processes", {"too many processes", "demasiados procesos"}, OUTCOME_FAILED},
-    {"too-much-output", {"too much output", "demasiada salida"}, OUTCOME_FAILED},
-    {"too-much-disk", {"too much disk", "demasiado disco"}, OUTCOME_FAILED},
-    {"cpu-time", {"CPU time limit", "límite de tiempo de CPU"}, OUTCOME_FAILED},
-    {"idle-time", {"idle time limit", "límite de tiempo de espera"}, OUTCOME_FAILED},
-    {"crash", {"crash", "el programa se rompió"}, OUTCOME_FAILED},
-    {"undefined-behaviour", {"undefined behaviour", "comportamiento indefinido"}, OUTCOME_FAILED},
-    {"wrong-answer", {"wrong answer", "respuesta incorrecta"}, OUTCOME_FAILED},
-    {"leak", {"memory leak", "fuga de memoria"}, OUTCOME_FAILED},
-    {"grows-too-fast", {"grows too fast", "crece demasiado"}, OUTCOME_FAILED},
-    {"too-much-work", {"too much work", "demasiado trabajo"}, OUTCOME_FAILED},
-    {"too-much-memory", {"too much memory", "demasiada memoria"}, OUTCOME_FAILED},
-    {"compile-error", {"does not compile", "no compila"}, OUTCOME_FAILED},
-    {"fault", {"fault of the grader", "fallo del corrector"}, OUTCOME_UNSCORED},
-    {"flagged", {"held for a person", "pendiente de revisión"}, OUTCOME_UNSCORED},
-    {"not-measured", {"not measured", "no medido"}, OUTCOME_ABSENT},
-    {"not-reached", {"not reached", "no se llegó"}, OUTCOME_ABSENT},
-};
-
-static const struct verdict_words *find(const char *verdict)
+struct phrase words_verdict(const char *verdict)
 {
-    for (size_t i = 0; i < sizeof verdicts / sizeof *verdicts; i++)
-        if (strcmp(verdicts[i].verdict, verdict) == 0)
-            return &verdicts[i];
-    return NULL;
-}
-
-struct words words_verdict(const char *verdict)
-{
-    const struct verdict_words *found = find(verdict);
-    return found ? found->words : (struct words){"unknown verdict", "veredicto desconocido"};
+    enum verdict found = verdict_of_name(verdict);
+    return found < VERDICT_COUNT ? verdict_words(found)
+                                 : (struct phrase){"unknown verdict", "veredicto desconocido"};
 }
 
 bool words_know_verdict(const char *verdict)
 {
-    return find(verdict) != NULL;
+    return verdict_of_name(verdict) < VERDICT_COUNT;
 }
 
-enum outcome words_outcome(const char *verdict)
+enum standing words_standing(const char *verdict)
 {
-    const struct verdict_words *found = find(verdict);
-    return found ? found->outcome : OUTCOME_ABSENT;
+    enum verdict found = verdict_of_name(verdict);
+    return found < VERDICT_COUNT ? verdict_standing(found) : STANDING_ABSENT;
 }
 
-struct words words_of_outcome(enum outcome outcome)
+struct phrase words_of_standing(enum standing standing)
 {
-    static const struct words words[OUTCOME_COUNT] = {
-        [OUTCOME_PASSED] = {"passed", "superado"},    [OUTCOME_PARTIAL] = {"partial", "parcial"},
-        [OUTCOME_FAILED] = {"failed", "no superado"}, [OUTCOME_UNSCORED] = {"unscored", "sin nota"},
-        [OUTCOME_ABSENT] = {"absent", "sin dato"},
+    static const struct phrase words[STANDING_COUNT] = {
+        [STANDING_PASSED] = {"passed", "superado"},
+        [STANDING_PARTIAL] = {"partial", "parcial"},
+        [STANDING_FAILED] = {"failed", "no superado"},
+        [STANDING_UNSCORED] = {"unscored", "sin nota"},
+        [STANDING_ABSENT] = {"absent", "sin dato"},
     };
-    return words[outcome];
+    return words[standing];
 }
 
-const char *words_symbol(enum outcome outcome)
+const char *words_symbol(enum standing standing)
 {
-    static const char *const symbols[OUTCOME_COUNT] = {
-        [OUTCOME_PASSED] = "✓",   [OUTCOME_PARTIAL] = "◐", [OUTCOME_FAILED] = "✗",
-        [OUTCOME_UNSCORED] = "!", [OUTCOME_ABSENT] = "–",
+    static const char *const symbols[STANDING_COUNT] = {
+        [STANDING_PASSED] = "✓",   [STANDING_PARTIAL] = "◐", [STANDING_FAILED] = "✗",
+        [STANDING_UNSCORED] = "!", [STANDING_ABSENT] = "–",
     };
-    return symbols[outcome];
+    return symbols[standing];
 }
 
-struct words words_in(const json_t *object, const char *key)
+struct phrase words_in(const json_t *object, const char *key)
 {
     const json_t *both = json_object_get(object, key);
-    const char *en = json_string_value(json_object_get(both, "en"));
-    const char *es = json_string_value(json_object_get(both, "es"));
-    return (struct words){en ? en : "", es ? es : ""};
+    const char *alone = json_string_value(both);
+    const char *en = alone ? alone : json_string_value(json_object_get(both, "en"));
+    const char *es = alone ? alone : json_string_value(json_object_get(both, "es"));
+    return (struct phrase){en ? en : "", es ? es : ""};
 }
 
-const char *words_choose(struct words words, bool spanish)
+const char *words_choose(struct phrase phrase, bool spanish)
 {
-    return spanish ? words.es : words.en;
+    return phrase_text(phrase, spanish ? LANGUAGE_ES : LANGUAGE_EN);
 }
 
-void words_of_slug(const char *slug, char *text, size_t capacity)
+struct phrase words_cause(const json_t *part, char *room, size_t capacity)
 {
-    snprintf(text, capacity, "%s", strcmp(slug, "self-edge") == 0 ? "degenerate-edge" : slug);
-    for (char *c = text; *c; c++)
+    const char *slug = json_string_value(json_object_get(part, "cause"));
+    struct phrase name = words_in(part, "cause_name");
+    if (*name.en)
+        return name;
+    snprintf(room, capacity, "%s", slug ? slug : "");
+    for (char *c = room; *c; c++)
         if (*c == '-')
             *c = ' ';
+    return (struct phrase){room, room};
 }
 
 void words_of_bytes(double bytes, char *text, size_t capacity)

@@ -222,6 +222,41 @@ static int copy_marks(const struct growth *growth, const struct scene *from, str
     return 0;
 }
 
+/* Values and parts of the kept vertices or triangles. */
+static int copy_values(const struct growth *growth, const struct scene *from, struct scene *to,
+                       struct error *err)
+{
+    bool per_vertex = from->values.part == SCENE_PER_VERTEX;
+    int32_t count = per_vertex ? growth->reached_count : growth->triangle_count;
+    const int32_t *kept = per_vertex ? growth->reached : growth->triangles;
+    to->values = from->values;
+    to->values.count = count;
+    to->values.numbers = from->values.numbers ? malloc(((size_t)count + 1) * sizeof(float)) : NULL;
+    to->groups = from->groups ? malloc((size_t)growth->triangle_count + 1) : NULL;
+    if ((from->values.numbers && !to->values.numbers) || (from->groups && !to->groups))
+        return error_set(err, "out of memory for the values of a scene");
+    for (int32_t i = 0; to->values.numbers && i < count; i++)
+        to->values.numbers[i] = from->values.numbers[kept[i]];
+    for (int32_t t = 0; to->groups && t < growth->triangle_count; t++)
+        to->groups[t] = from->groups[growth->triangles[t]];
+    return 0;
+}
+
+static int copy_vectors(const struct growth *growth, const struct scene *from, struct scene *to,
+                        struct error *err)
+{
+    for (int i = 0; i < from->vector_set_count; i++) {
+        float *xyz = malloc((3 * (size_t)growth->reached_count + 1) * sizeof *xyz);
+        if (!xyz)
+            return error_set(err, "out of memory for the vectors of a scene");
+        for (int32_t v = 0; v < growth->reached_count; v++)
+            memcpy(xyz + 3 * (size_t)v, from->vectors[i].xyz + 3 * (size_t)growth->reached[v],
+                   3 * sizeof *xyz);
+        to->vectors[to->vector_set_count++] = (struct scene_vectors){from->vectors[i].kind, xyz};
+    }
+    return 0;
+}
+
 int scene_cut(const struct scene *from, struct scene *to, struct error *err)
 {
     struct growth growth;
@@ -234,6 +269,9 @@ int scene_cut(const struct scene *from, struct scene *to, struct error *err)
         failed = copy_polygons(&growth, &to->faces, err);
     if (!failed)
         failed = copy_marks(&growth, from, to, err);
+    if (!failed)
+        failed =
+            copy_values(&growth, from, to, err) || copy_vectors(&growth, from, to, err) ? -1 : 0;
     growth_release(&growth);
     if (failed)
         scene_release(to);

@@ -1,7 +1,8 @@
 /* Scenes as JSON; the format stands in graders/render/README.md. */
 #include "graders/scene/cut.h"
-#include "graders/scene/scene.h"
+#include "graders/scene/polygon.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -60,24 +61,52 @@ static json_t *vertices_to_json(const struct mark *mark)
     return vertices;
 }
 
-static json_t *mark_to_json(const struct mark *mark)
+/* The triangles that fill a face of more than three corners; NULL for what needs none. */
+static json_t *fill_to_json(const struct scene *scene, const struct mark *mark)
 {
-    return json_pack("{s:s, s:s, s:o}", "kind", mark_names[mark->kind], "element",
-                     element_names[mark->element], "vertex", vertices_to_json(mark));
+    size_t corners = (size_t)mark->count;
+    if (mark->element != ELEMENT_FACE || mark->count <= 3)
+        return NULL;
+    int32_t *triangles = malloc((4 * corners) * sizeof *triangles);
+    json_t *fill = triangles ? json_array() : NULL;
+    if (triangles)
+        polygon_triangles(scene->mesh.positions, mark_vertices(mark), mark->count,
+                          triangles + 3 * corners, triangles);
+    for (size_t i = 0; fill && i < 3 * (corners - 2); i++)
+        json_array_append_new(fill, json_integer(triangles[i]));
+    free(triangles);
+    return fill;
 }
 
-static json_t *label_to_json(const struct label *label)
+static json_t *mark_to_json(const struct scene *scene, const struct mark *mark)
 {
-    return json_pack("{s:s, s:o, s:I}", "element", element_names[label->at.element], "vertex",
-                     vertices_to_json(&label->at), "number", (json_int_t)label->number);
+    return json_pack("{s:s, s:s, s:o, s:o*}", "kind", mark_names[mark->kind], "element",
+                     element_names[mark->element], "vertex", vertices_to_json(mark), "fill",
+                     fill_to_json(scene, mark));
+}
+
+/* The marks that fit into the mesh. */
+static json_t *marks_to_json(const struct scene *scene)
+{
+    json_t *marks = json_array();
+    for (int m = 0; marks && m < scene->kept_mark_count; m++)
+        if (scene_mark_fits(scene, &scene->marks[m]))
+            json_array_append_new(marks, mark_to_json(scene, &scene->marks[m]));
+    return marks;
 }
 
 static json_t *labels_to_json(const struct scene *scene)
 {
     json_t *labels = json_array();
-    for (int l = 0; labels && l < scene->label_count; l++)
-        if (scene_mark_fits(scene, &scene->labels[l].at))
-            json_array_append_new(labels, label_to_json(&scene->labels[l]));
+    for (int l = 0; labels && l < scene->label_count; l++) {
+        const struct label *label = &scene->labels[l];
+        if (scene_mark_fits(scene, &label->at))
+            json_array_append_new(labels, json_pack("{s:s, s:o, s:o*, s:I}", "element",
+                                                    element_names[label->at.element], "vertex",
+                                                    vertices_to_json(&label->at), "fill",
+                                                    fill_to_json(scene, &label->at), "number",
+                                                    (json_int_t)label->number));
+    }
     return labels;
 }
 
@@ -98,17 +127,52 @@ static json_t *faces_to_json(const struct scene_faces *faces)
     return json;
 }
 
-/* The marks that fit into the mesh. */
-static json_t *marks_to_json(const struct scene *scene)
+/* A text that may not be UTF-8 as JSON: then as "?". */
+static json_t *text_to_json(const char *text)
 {
-    json_t *marks = json_array();
-    for (int m = 0; marks && m < scene->kept_mark_count; m++)
-        if (scene_mark_fits(scene, &scene->marks[m]))
-            json_array_append_new(marks, mark_to_json(&scene->marks[m]));
-    return marks;
+    json_t *json = json_string(text);
+    return json ? json : json_string("?");
 }
 
-/* Adds "mesh", "polygons", "marks", "labels" and "cut"; what there is none of is left out. */
+static json_t *both_to_json(const struct scene_text *text)
+{
+    return json_pack("{s:o, s:o}", "en", text_to_json(text->en), "es", text_to_json(text->es));
+}
+
+/* Adds "values" and "groups". */
+static int add_values(json_t *json, const struct scene *shown)
+{
+    const struct scene_values *values = &shown->values;
+    int failed = 0;
+    if (values->numbers) {
+        json_t *one = json_pack(
+            "{s:s, s:o, s:f, s:f, s:o}", "of",
+            values->part == SCENE_PER_VERTEX ? "vertex" : "triangle", "numbers",
+            json_base64(values->numbers, (size_t)values->count * sizeof *values->numbers), "low",
+            values->low, "high", values->high, "unit", both_to_json(&values->unit));
+        if (one && isfinite(values->worst))
+            failed |= json_object_set_new(one, "worst", json_real(values->worst));
+        failed |= json_object_set_new(json, "values", one);
+    }
+    if (shown->groups)
+        failed |= json_object_set_new(
+            json, "groups", json_base64(shown->groups, (size_t)shown->mesh.triangle_count));
+    return failed;
+}
+
+static int add_vectors(json_t *json, const struct scene *shown)
+{
+    json_t *sets = json_array();
+    size_t bytes = 3 * sizeof(float) * (size_t)shown->mesh.vertex_count;
+    int failed = sets ? 0 : -1;
+    for (int i = 0; i < shown->vector_set_count; i++)
+        failed |= json_array_append_new(sets, json_pack("{s:s, s:o}", "kind",
+                                                        mark_names[shown->vectors[i].kind], "xyz",
+                                                        json_base64(shown->vectors[i].xyz, bytes)));
+    return failed | json_object_set_new(json, "vectors", sets);
+}
+
+/* Adds "mesh" and what lies on it, and "cut"; what there is none of is left out. */
 static int add_mesh(json_t *json, const struct scene *scene)
 {
     struct scene cut = {0};
@@ -125,6 +189,9 @@ static int add_mesh(json_t *json, const struct scene *scene)
         failed |= json_object_set_new(json, "marks", marks_to_json(shown));
     if (shown->label_count > 0)
         failed |= json_object_set_new(json, "labels", labels_to_json(shown));
+    failed |= add_values(json, shown);
+    if (shown->vector_set_count > 0)
+        failed |= add_vectors(json, shown);
     if (is_cut)
         failed |= json_object_set_new(json, "cut", json_true());
     scene_release(&cut);
@@ -145,18 +212,6 @@ static int add_counts(json_t *json, const struct scene *scene)
     if (scene->ok_count > 0)
         failed |= json_object_set_new(json, "ok_count", json_integer(scene->ok_count));
     return failed;
-}
-
-/* A text that may not be UTF-8 as JSON: then as "?". */
-static json_t *text_to_json(const char *text)
-{
-    json_t *json = json_string(text);
-    return json ? json : json_string("?");
-}
-
-static json_t *both_to_json(const struct scene_text *text)
-{
-    return json_pack("{s:o, s:o}", "en", text_to_json(text->en), "es", text_to_json(text->es));
 }
 
 /* What the legend calls the marks, where the scene says it. */
@@ -272,6 +327,16 @@ static int add_chart(json_t *json, const struct scene *scene)
     return failed | json_object_set_new(json, "y_label", text_to_json(scene->y_label));
 }
 
+/* The answer's mesh: what a scene of a mesh has. */
+static int add_answer(json_t *json, const struct scene *answer)
+{
+    json_t *one = json_object();
+    if (!one)
+        return -1;
+    int failed = add_mesh(one, answer) | add_counts(one, answer) | add_names(one, answer);
+    return failed | json_object_set_new(json, "answer", one);
+}
+
 json_t *scene_to_json(const struct scene *scene)
 {
     static const char *const kind_names[] = {"none", "mesh", "strips", "voxels", "chart"};
@@ -281,6 +346,8 @@ json_t *scene_to_json(const struct scene *scene)
     int failed = 0;
     if (scene->kind >= SCENE_MESH && scene->kind <= SCENE_VOXELS)
         failed |= add_mesh(json, scene) | add_counts(json, scene) | add_names(json, scene);
+    if (scene->kind == SCENE_MESH && scene->answer)
+        failed |= add_answer(json, scene->answer);
     if (scene->fact_count > 0)
         failed |= add_facts(json, scene);
     if (scene->kind == SCENE_STRIPS)

@@ -172,7 +172,7 @@ void scene_label_face(struct scene *scene, const int32_t *corners, int64_t count
     add_label(scene, ELEMENT_FACE, corners, count < 3 ? 0 : count, number);
 }
 
-static void set_text(struct scene_text *text, struct phrase phrase)
+void scene_set_text(struct scene_text *text, struct phrase phrase)
 {
     snprintf(text->en, sizeof text->en, "%s", phrase.en ? phrase.en : "");
     snprintf(text->es, sizeof text->es, "%s", phrase.es ? phrase.es : "");
@@ -180,11 +180,11 @@ static void set_text(struct scene_text *text, struct phrase phrase)
 
 void scene_name_marks(struct scene *scene, enum mark_kind kind, struct phrase name)
 {
-    set_text(&scene->mark_names[kind], name);
+    scene_set_text(&scene->mark_names[kind], name);
 }
 
 void scene_name_turns(struct scene *scene, struct phrase name, int64_t count)
 {
-    set_text(&scene->turn_name, name);
+    scene_set_text(&scene->turn_name, name);
     scene->turn_count = count;
 }

@@ -122,6 +122,9 @@ void scene_name_marks(struct scene *scene, enum mark_kind kind, struct phrase na
  * all turn colours without a name of their own. */
 void scene_name_turns(struct scene *scene, struct phrase name, int64_t count);
 
+/* Copies a text, cut where it is too long. */
+void scene_set_text(struct scene_text *text, struct phrase phrase);
+
 /* The vertices of a mark. */
 const int32_t *mark_vertices(const struct mark *mark);
 

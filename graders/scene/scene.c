@@ -1,5 +1,6 @@
 /* Filling a scene; see scene.h. */
 #include "graders/scene/polygon.h"
+#include "graders/scene/show.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -49,9 +50,29 @@ int scene_set_mesh(struct scene *scene, const float *positions, int64_t vertex_c
         memcpy(copy.triangles, triangles, 3 * sizeof *triangles * (size_t)triangle_count);
     mesh_release(&scene->mesh);
     scene_faces_release(&scene->faces);
+    scene_drop_values(scene);
     scene->mesh = copy;
     raise_kind(scene, SCENE_MESH);
     return 0;
+}
+
+struct scene *scene_answer(struct scene *scene, struct error *err)
+{
+    if (!scene->answer)
+        scene->answer = calloc(1, sizeof *scene->answer);
+    if (scene->answer) {
+        scene->answer->kind = SCENE_MESH;
+        raise_kind(scene, SCENE_MESH);
+    } else
+        error_set(err, "out of memory for the answer of a scene");
+    return scene->answer;
+}
+
+int scene_set_answer_mesh(struct scene *scene, const float *positions, int64_t vertex_count,
+                          const int32_t *triangles, int64_t triangle_count, struct error *err)
+{
+    struct scene *answer = scene_answer(scene, err);
+    return answer ? show_mesh(answer, positions, vertex_count, triangles, triangle_count, err) : -1;
 }
 
 int scene_add_strip(struct scene *scene, const float *positions, int64_t vertex_count,
@@ -163,6 +184,10 @@ void scene_release(struct scene *scene)
 {
     mesh_release(&scene->mesh);
     scene_faces_release(&scene->faces);
+    scene_drop_values(scene);
+    if (scene->answer)
+        scene_release(scene->answer);
+    free(scene->answer);
     for (int m = 0; m < scene->kept_mark_count; m++)
         free(scene->marks[m].list);
     free(scene->marks);

@@ -5,7 +5,7 @@
 #ifndef GRADERS_SCENE_SCENE_H
 #define GRADERS_SCENE_SCENE_H
 
-#include "graders/scene/mark.h"
+#include "graders/scene/values.h"
 #include "reference/base/error.h"
 #include "reference/mesh/mesh.h"
 
@@ -62,7 +62,12 @@ struct scene {
     int64_t listed_vertex_count;                         /* in the lists of marks and labels */
     struct scene_text mark_names[MARK_KINDS], turn_name; /* empty: the usual word */
     int64_t turn_count;
-    int64_t ok_count; /* elements that are right, for the legend; 0 or less: not said */
+    struct scene_values values;
+    uint8_t *groups; /* a triangle's turn colour or SCENE_NO_GROUP; NULL: none */
+    struct scene_vectors vectors[SCENE_VECTORS_LIMIT];
+    int vector_set_count;
+    struct scene *answer; /* shown beside; NULL: none. It has only what a mesh has */
+    int64_t ok_count;     /* elements that are right, for the legend; 0 or less: not said */
     struct strip *strips;
     int strip_count;
     uint8_t
@@ -90,6 +95,20 @@ int scene_set_mesh(struct scene *scene, const float *positions, int64_t vertex_c
 int scene_set_polygons(struct scene *scene, const float *positions, int64_t vertex_count,
                        const int32_t *first_corner, const int32_t *corners, int64_t face_count,
                        struct error *err);
+
+/* The answer's mesh beside the input's: a scene of its own, of which the mesh, its marks, labels,
+ * values and vectors are shown, under the word "answer". Made when first asked for; it belongs to
+ * the scene. NULL and *err when out of memory.
+ *
+ *     struct scene *answer = scene_answer(scene, err);
+ *     if (!answer || show_mesh(answer, positions, vertex_count, triangles, triangle_count, err))
+ *         return -1;
+ *     scene_mark_triangle(answer, MARK_EXTRA, a, b, c); */
+struct scene *scene_answer(struct scene *scene, struct error *err);
+
+/* The same for a mesh of triangles whose tables may hold anything (see show_mesh). */
+int scene_set_answer_mesh(struct scene *scene, const float *positions, int64_t vertex_count,
+                          const int32_t *triangles, int64_t triangle_count, struct error *err);
 int scene_add_strip(struct scene *scene, const float *positions, int64_t vertex_count,
                     struct error *err);
 int scene_set_voxels(struct scene *scene, const uint8_t *bits, int32_t voxels_per_side,

@@ -3,10 +3,12 @@
 #ifndef REFERENCE_BASE_ERROR_H
 #define REFERENCE_BASE_ERROR_H
 
+#include <stdbool.h>
+
 #define MUST_CHECK __attribute__((warn_unused_result))
 
 struct error {
-    char text[512]; /* empty: no error */
+    char text[512]; /* empty: no error; the last byte, behind the text, is error.c's */
 };
 
 /* Records an error, printf style.
@@ -14,5 +16,11 @@ struct error {
  * err      may be NULL (nothing is recorded); the first error wins, later ones are dropped
  * returns  always -1, so that `return error_set(err, ...)` reads well */
 int error_set(struct error *err, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* The same for a mistake in what the caller asked for: a file that is absent, a name that nobody
+ * has. A program ends with another exit code then. */
+int error_set_request(struct error *err, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+bool error_is_request(const struct error *err);
 
 #endif

@@ -61,9 +61,14 @@ void message_say(struct message *message, const char *en, const char *es, ...)
 {
     va_list arguments;
     va_start(arguments, es);
+    message_say_list(message, en, es, arguments);
+    va_end(arguments);
+}
+
+void message_say_list(struct message *message, const char *en, const char *es, va_list arguments)
+{
     message_clear(message);
     append_both(message, en, es, arguments);
-    va_end(arguments);
 }
 
 void message_add(struct message *message, const char *en, const char *es, ...)
@@ -90,8 +95,19 @@ void message_es(struct message *message, const char *format, ...)
     va_end(arguments);
 }
 
+void message_set_phrase(struct message *message, struct phrase phrase)
+{
+    message_clear(message);
+    message_add_phrase(message, phrase);
+}
+
 void message_add_phrase(struct message *message, struct phrase phrase)
 {
     message_en(message, "%s", phrase_text(phrase, LANGUAGE_EN));
     message_es(message, "%s", phrase_text(phrase, LANGUAGE_ES));
+}
+
+struct phrase message_phrase(const struct message *message)
+{
+    return (struct phrase){message->en, message->es};
 }

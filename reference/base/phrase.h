@@ -50,6 +50,10 @@ const char *message_text(const struct message *message, enum language language);
 void message_say(struct message *message, const char *en, const char *es, ...)
     __attribute__((format(printf, 2, 4), format(printf, 3, 4)));
 
+/* The same with a list of arguments, for functions that take a format themselves. */
+void message_say_list(struct message *message, const char *en, const char *es, va_list arguments)
+    __attribute__((format(printf, 2, 0), format(printf, 3, 0)));
+
 /* Appends to both languages. */
 void message_add(struct message *message, const char *en, const char *es, ...)
     __attribute__((format(printf, 2, 4), format(printf, 3, 4)));
@@ -67,7 +71,11 @@ void message_append(struct message *message, enum language language, const char 
 /* No text. */
 void message_clear(struct message *message);
 
-/* Appends a phrase. */
+/* Sets, or appends, a phrase. */
+void message_set_phrase(struct message *message, struct phrase phrase);
 void message_add_phrase(struct message *message, struct phrase phrase);
+
+/* The message as a phrase, borrowed from it. */
+struct phrase message_phrase(const struct message *message);
 
 #endif

@@ -22,7 +22,8 @@ static void release(void *self)
 
 /* Refuses faces of less than three sides or with a vertex twice. `last_face`: of each vertex, the
  * face that had it last; starts at -1. */
-static int check_polygons(const struct polygons *polygons, int32_t *last_face, struct error *err)
+static int check_polygons(const struct listed_polygons *polygons, int32_t *last_face,
+                          struct error *err)
 {
     for (int32_t f = 0; f < polygons->face_count; f++) {
         if (polygons->starts[f + 1] - polygons->starts[f] < 3)
@@ -42,8 +43,8 @@ static int check_polygons(const struct polygons *polygons, int32_t *last_face, s
 }
 
 /* Numbers the edges into face_edges; the end of each side is kept in `ends`. */
-static int fill_lists(struct face_edge_vertex *list, const struct polygons *polygons, int32_t *ends,
-                      struct error *err)
+static int fill_lists(struct face_edge_vertex *list, const struct listed_polygons *polygons,
+                      int32_t *ends, struct error *err)
 {
     int32_t side_count = polygons->starts[polygons->face_count];
     for (int32_t f = 0; f < polygons->face_count; f++)
@@ -71,8 +72,8 @@ static int fill_lists(struct face_edge_vertex *list, const struct polygons *poly
     return 0;
 }
 
-int face_edge_vertex_from_polygons(struct face_edge_vertex *list, const struct polygons *polygons,
-                                   struct error *err)
+int face_edge_vertex_from_polygons(struct face_edge_vertex *list,
+                                   const struct listed_polygons *polygons, struct error *err)
 {
     size_t sides = (size_t)polygons->starts[polygons->face_count];
     size_t vertices = (size_t)polygons->vertex_count;
@@ -107,8 +108,8 @@ static int build(void *self, const struct mesh *mesh, struct error *err)
         return error_set(err, "out of memory: lists of %d faces", mesh->triangle_count);
     for (int32_t f = 0; f <= mesh->triangle_count; f++)
         starts[f] = 3 * f;
-    struct polygons polygons = {mesh->positions, starts, mesh->triangles, mesh->vertex_count,
-                                mesh->triangle_count};
+    struct listed_polygons polygons = {mesh->positions, starts, mesh->triangles, mesh->vertex_count,
+                                       mesh->triangle_count};
     int result = face_edge_vertex_from_polygons(self, &polygons, err);
     free(starts);
     return result;

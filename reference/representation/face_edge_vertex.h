@@ -51,7 +51,7 @@ struct face_edge_vertex {
 
 /* Polygons: face f has corners[starts[f]] ... corners[starts[f + 1] - 1]; starts has face_count + 1
  * entries, the first 0. All is borrowed. */
-struct polygons {
+struct listed_polygons {
     const float *positions;
     const int32_t *starts, *corners;
     int32_t vertex_count, face_count;
@@ -59,7 +59,8 @@ struct polygons {
 
 /* Makes the lists; the caller owns them (representation_face_edge_vertex.release). Linear.
  * Returns 0, or -1 and *err naming the face or edge that cannot be held. */
-int face_edge_vertex_from_polygons(struct face_edge_vertex *list, const struct polygons *polygons,
+int face_edge_vertex_from_polygons(struct face_edge_vertex *list,
+                                   const struct listed_polygons *polygons,
                                    struct error *err) MUST_CHECK;
 
 /* Number of sides of a face, and its corners in order: room for as many numbers. */

@@ -64,8 +64,8 @@ echo '#include "edge-table-any.h"' >"$scratch/empty.c"
 ok "a missing function is named" matches "$scratch/empty" 'edge_table_any'
 
 ok "an unknown exercise is wrong usage" exits_with 64 "$meshgrade" check no-such-thing "$scratch/empty.c" 2>/dev/null
-ok "a missing file is a fault with its name" exits_with 2 "$meshgrade" check edge-table-any "$scratch/absent.c" 2>"$scratch/absent"
-ok "which stands in the message" matches "$scratch/absent" 'absent.c'
+ok "a missing file is wrong usage" exits_with 64 "$meshgrade" check edge-table-any "$scratch/absent.c" 2>"$scratch/absent"
+ok "and is named" matches "$scratch/absent" 'absent.c'
 ok "an unknown command is wrong usage" exits_with 64 "$meshgrade" frobnicate 2>/dev/null
 ok "an unknown option is wrong usage" exits_with 64 "$meshgrade" check --frobnicate 2>/dev/null
 for command in list start check grade report export validate doctor; do

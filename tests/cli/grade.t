@@ -84,7 +84,7 @@ json.load(open(f + "json")), json.load(open(f + "gradescope"))
 xml.parse(f + "junit")
 P
 ok "Moodle VPL gets the grade on its last line" sh -c 'tail -n 1 "$1" | grep -qx "Grade :=>> 10"' - "$scratch/export.vpl"
-ok "an unknown format is refused" exits_with 2 "$meshgrade" export "$out" --format excel 2>/dev/null
+ok "an unknown format is refused" exits_with 64 "$meshgrade" export "$out" --format excel 2>/dev/null
 ok "a store that is no database is refused with a remedy" sh -c '
     mkdir "$2/bad" && echo rubbish-rubbish-rubbish-rubbish >"$2/bad/meshgrade.sqlite"
     "$1" grade "$3" -o "$2/bad" 2>"$2/talk"; [ $? -eq 2 ] && grep -q "move the file away" "$2/talk"' - "$meshgrade" "$scratch" "$scratch/b.zip"

@@ -53,7 +53,7 @@ ok "a survivor that nobody explained fails the run, whatever the score" [ $? -eq
 grep -A9 Traceback "$scratch/survivor" | sed 's/^/# /'
 
 if [ -x "$judge" ]; then
-    tests/mutants/run --program "$judge" --quick --only tests/mutants/handful.txt --out "$scratch/mutants" >"$scratch/table"
+    tests/mutants/run --program "$judge" --quick --handful --out "$scratch/mutants" >"$scratch/table"
     code=$?
     ok "one mutant of each right answer is caught" [ "$code" -eq 0 ]
     [ "$code" -eq 0 ] || sed 's/^/# /' "$scratch/table"

@@ -2,12 +2,15 @@
 cd "$(dirname "$0")/../.." || exit 1
 root=$PWD
 meshgrade=$root/build/meshgrade
-submissions=$root/tests/submissions
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 tests=0
 unset NO_COLOR MESHGRADE_ROOT
 export LC_ALL=C.UTF-8
+
+# The known-verdict submissions, each as a whole file, <group>/<exercise>/<kind>/<name>.c.
+submissions=$scratch/submissions
+[ ! -x "$meshgrade" ] || "$meshgrade" validate --expand "$submissions" || exit 1
 
 ok() { # description, command...
     tests=$((tests + 1))

@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count)
     struct policy policy, longer;
     policy_check((const char *)bytes, count, "/public", &policy);
     const struct refusal *refusal = &policy.refusal;
-    bool has_text = refusal->cause[0] && refusal->message[0] && refusal->message_es[0];
+    bool has_text = refusal->cause[0] && refusal->message.en[0] && refusal->message.es[0];
     if (refusal->refused != has_text)
         abort();
     char *text = malloc(count + sizeof harmless);

@@ -10,7 +10,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);
 
 static void check_refusal(const struct refusal *refusal)
 {
-    bool has_text = refusal->cause[0] && refusal->message[0] && refusal->message_es[0];
+    bool has_text = refusal->cause[0] && refusal->message.en[0] && refusal->message.es[0];
     if (refusal->refused != has_text)
         abort();
 }

@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 out=$1
 mkdir -p "$out"
-${CC:-cc} -std=c17 -D_GNU_SOURCE -I. -O1 -Wall -Wextra tests/golden/scenes.c graders/scene/*.c \
+${CC:-cc} -std=c17 -D_GNU_SOURCE -I. -O1 -Wall -Wextra tests/golden/*.c graders/scene/*.c \
     reference/mesh/mesh.c reference/base/{error,phrase}.c $(pkg-config --cflags --libs jansson) -lm -o "$out/scenes"
 ${CXX:-c++} -std=c++17 -O1 -Wall -Wextra tests/golden/compare.cpp \
     $(pkg-config --cflags --libs OpenImageIO) -o "$out/compare"

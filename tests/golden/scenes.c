@@ -1,163 +1,10 @@
 /* Writes the golden scenes and the job that draws them into a folder:
  *
- *     scenes FOLDER
- *
- * The meshes are made here by formula, so that a golden picture changes only when the renderer
- * does. */
-#include "graders/scene/scene.h"
+ *     scenes FOLDER */
+#include "tests/golden/golden.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-enum { PICTURE_WIDTH = 480, PICTURE_HEIGHT = 360 };
-
-static const double pi = 3.14159265358979323846;
-
-struct golden {
-    const char *folder;
-    json_t *pictures;
-};
-
-static void stop(const char *what)
-{
-    fprintf(stderr, "scenes: %s\n", what);
-    exit(1);
-}
-
-static void must(int result, const struct error *err)
-{
-    if (result != 0)
-        stop(err->text);
-}
-
-static void write_json(const struct golden *golden, const char *name, const json_t *json)
-{
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s.json", golden->folder, name);
-    if (json_dump_file(json, path, JSON_COMPACT) != 0)
-        stop(path);
-}
-
-/* Adds what the engine adds, writes the scene, notes the picture, and releases the scene. */
-static void finish(struct golden *golden, struct scene *scene, const char *name, const char *title,
-                   const char *subtitle)
-{
-    json_t *json = scene_to_json(scene);
-    if (!json)
-        stop("out of memory");
-    json_object_set_new(json, "title", json_string(title));
-    json_object_set_new(json, "subtitle", json_string(subtitle));
-    json_object_set_new(json, "metadata",
-                        json_pack("{s:s, s:s, s:s, s:s, s:s}", "exercise", "golden", "case", name,
-                                  "verdict", "wrong-answer", "seed", "7", "student",
-                                  "Zo\xc3\xab \xce\xa9\n\x1b[31mred"));
-    write_json(golden, name, json);
-    char scene_file[64], picture_file[64];
-    snprintf(scene_file, sizeof scene_file, "%s.json", name);
-    snprintf(picture_file, sizeof picture_file, "%s.png", name);
-    json_array_append_new(golden->pictures, json_pack("{s:s, s:s, s:i, s:i}", "scene", scene_file,
-                                                      "out", picture_file, "width", PICTURE_WIDTH,
-                                                      "height", PICTURE_HEIGHT));
-    json_decref(json);
-    scene_release(scene);
-}
-
-/* -- shapes ----------------------------------------------------------------------------------- */
-
-static struct mesh new_mesh(int64_t vertices, int64_t triangles)
-{
-    struct mesh mesh;
-    struct error err = {""};
-    must(mesh_init(&mesh, vertices, triangles, &err), &err);
-    return mesh;
-}
-
-static void set_vertex(struct mesh *mesh, int32_t v, double x, double y, double z)
-{
-    mesh->positions[3 * v] = (float)x;
-    mesh->positions[3 * v + 1] = (float)y;
-    mesh->positions[3 * v + 2] = (float)z;
-}
-
-static void set_triangle(struct mesh *mesh, int32_t t, int32_t a, int32_t b, int32_t c)
-{
-    mesh->triangles[3 * t] = a;
-    mesh->triangles[3 * t + 1] = b;
-    mesh->triangles[3 * t + 2] = c;
-}
-
-/* Vertex (i, j) is i * n + j: i around the hole, j around the tube. */
-static struct mesh torus(int32_t m, int32_t n)
-{
-    struct mesh mesh = new_mesh((int64_t)m * n, 2 * (int64_t)m * n);
-    for (int32_t i = 0; i < m; i++)
-        for (int32_t j = 0; j < n; j++) {
-            double u = 2 * pi * i / m, v = 2 * pi * j / n, radius = 1 + .42 * cos(v);
-            int32_t here = i * n + j, next = (i + 1) % m * n + j;
-            int32_t above = i * n + (j + 1) % n, both = (i + 1) % m * n + (j + 1) % n;
-            set_vertex(&mesh, here, radius * cos(u), radius * sin(u), .42 * sin(v));
-            set_triangle(&mesh, 2 * here, here, next, both);
-            set_triangle(&mesh, 2 * here + 1, here, both, above);
-        }
-    return mesh;
-}
-
-/* m rows of n cells over the unit square, gently waved; vertex (row, column) is row * (n + 1) +
- * column. */
-static struct mesh sheet(int32_t m, int32_t n, double wave)
-{
-    struct mesh mesh = new_mesh((int64_t)(m + 1) * (n + 1), 2 * (int64_t)m * n);
-    for (int32_t r = 0; r <= m; r++)
-        for (int32_t c = 0; c <= n; c++) {
-            double x = (double)c / n, y = (double)r / m;
-            set_vertex(&mesh, r * (n + 1) + c, x, y, wave * sin(2 * pi * x) * cos(pi * y));
-        }
-    for (int32_t r = 0; r < m; r++)
-        for (int32_t c = 0; c < n; c++) {
-            int32_t a = r * (n + 1) + c, b = a + 1, d = a + n + 1, e = d + 1, t = 2 * (r * n + c);
-            set_triangle(&mesh, t, a, b, e);
-            set_triangle(&mesh, t + 1, a, e, d);
-        }
-    return mesh;
-}
-
-/* Poles 0 and 1, then `rows` rows of n vertices. */
-static struct mesh sphere(int32_t n, int32_t rows)
-{
-    struct mesh mesh = new_mesh(2 + (int64_t)n * rows, 2 * (int64_t)n * rows);
-    set_vertex(&mesh, 0, 0, 0, .5);
-    set_vertex(&mesh, 1, 0, 0, -.5);
-    int32_t t = 0;
-    for (int32_t r = 0; r < rows; r++)
-        for (int32_t i = 0; i < n; i++) {
-            double polar = pi * (r + 1) / (rows + 1), around = 2 * pi * i / n;
-            int32_t a = 2 + r * n + i, b = 2 + r * n + (i + 1) % n;
-            set_vertex(&mesh, a, .5 * sin(polar) * cos(around), .5 * sin(polar) * sin(around),
-                       .5 * cos(polar));
-            if (r == 0)
-                set_triangle(&mesh, t++, 0, a, b);
-            if (r + 1 == rows)
-                set_triangle(&mesh, t++, 1, b, a);
-            else {
-                set_triangle(&mesh, t++, a, a + n, b + n);
-                set_triangle(&mesh, t++, a, b + n, b);
-            }
-        }
-    return mesh;
-}
-
-static void show_mesh(struct scene *scene, struct mesh *mesh)
-{
-    struct error err = {""};
-    must(scene_set_mesh(scene, mesh->positions, mesh->vertex_count, mesh->triangles,
-                        mesh->triangle_count, &err),
-         &err);
-    mesh_release(mesh);
-}
-
-/* -- scenes ----------------------------------------------------------------------------------- */
 
 /* Every way of drawing an edge, on a torus with a hole. */
 static void edges_of_a_torus(struct golden *golden)
@@ -191,7 +38,7 @@ static void edges_of_a_torus(struct golden *golden)
         scene_mark_edge(&scene, MARK_BOUNDARY, left, left + 1);
         scene_mark_edge(&scene, MARK_BOUNDARY, left + HOLE * TUBE, left + HOLE * TUBE + 1);
     }
-    show_mesh(&scene, &mesh);
+    put_mesh(&scene, &mesh);
     finish(golden, &scene, "edges", "Edge table of a torus with a hole",
            "edge 1 (0,28) is missing; 1792 vertices, 3552 triangles");
 }
@@ -211,7 +58,7 @@ static void marks_of_a_small_mesh(struct golden *golden)
     scene_mark_edge(&scene, MARK_WRONG, 12, 13);
     scene_mark_vertex(&scene, MARK_EXTRA, 7);
     scene_mark_vertex(&scene, MARK_DEGENERATE, 15);
-    show_mesh(&scene, &mesh);
+    put_mesh(&scene, &mesh);
     finish(golden, &scene, "marks", "Winding and degenerate elements",
            "triangle 9 is clockwise seen from outside");
 }
@@ -226,7 +73,7 @@ static void flat_sheet(struct golden *golden)
         scene_mark_edge(&scene, MARK_MISSING, c, c + 1);
     for (int32_t r = 0; r < 11; r++)
         scene_mark_edge(&scene, MARK_BOUNDARY, r * 19, (r + 1) * 19);
-    show_mesh(&scene, &mesh);
+    put_mesh(&scene, &mesh);
     finish(golden, &scene, "flat", "Boundary edges of the grid are lost",
            "18 of 59 boundary edges are missing; 246 vertices, 430 triangles");
 }
@@ -243,7 +90,7 @@ static void far_needles(struct golden *golden)
     for (int32_t i = 0; i < 3; i++)
         set_vertex(&mesh, NEEDLES + 2 + i, 1e6 + 120 * i, -2e6 - 60, 3e6);
     scene_mark_edge(&scene, MARK_WRONG, 20, 21);
-    show_mesh(&scene, &mesh);
+    put_mesh(&scene, &mesh);
     finish(golden, &scene, "needles", "Needles a million units from the origin",
            "62 vertices and 3 that no triangle uses");
 }
@@ -256,7 +103,7 @@ static void one_triangle(struct golden *golden)
     set_vertex(&mesh, 2, 0, 0, 1);
     set_triangle(&mesh, 0, 0, 1, 2);
     scene_mark_edge(&scene, MARK_DUPLICATE, 1, 2);
-    show_mesh(&scene, &mesh);
+    put_mesh(&scene, &mesh);
     finish(golden, &scene, "triangle", "One triangle has three edges",
            "edge 1 (1,2) is listed twice");
 }
@@ -289,7 +136,7 @@ static void strips_of_a_sheet(struct golden *golden)
         scene_mark_triangle(&scene, MARK_FLIPPED, low, high, low + 1);
         scene_mark_triangle(&scene, MARK_FLIPPED, low + 1, high, high + 1);
     }
-    show_mesh(&scene, &mesh);
+    put_mesh(&scene, &mesh);
     finish(golden, &scene, "strips", "Strip 3 is wound the wrong way",
            "7 strips of 24 triangles; its 24 triangles are clockwise");
 }
@@ -308,7 +155,7 @@ static void voxels_beside_a_mesh(struct golden *golden)
     struct error err = {""};
     struct mesh mesh = sphere(SIDE, SIDE - 2);
     must(scene_set_voxels(&scene, bits, SIDE, &err), &err);
-    show_mesh(&scene, &mesh);
+    put_mesh(&scene, &mesh);
     finish(golden, &scene, "voxels", "A sphere as voxels and as a mesh",
            "k = 16: the voxels take less; the mesh from k = 288 on");
 }
@@ -394,6 +241,7 @@ int main(int argc, char **argv)
     growth_chart(&golden);
     memory_chart(&golden);
     write_lie(&golden);
+    marked_scenes(&golden);
     json_t *job = json_pack("{s:o, s:[o]}", "pictures", golden.pictures, "sheets", contact_sheet());
     write_json(&golden, "job", job);
     json_decref(job);

@@ -107,7 +107,7 @@ static int measure(struct yardstick *yardstick, const char *text, struct trial *
     if (build_submission(yardstick->exercise, &source, 1, &trial->build, err) != 0)
         return -1;
     if (trial->build.refusal.refused)
-        return error_set(err, "does not build: %s %.300s", trial->build.refusal.message,
+        return error_set(err, "does not build: %s %.300s", trial->build.refusal.message.en,
                          trial->build.diagnostics);
     return trial_check_growth(trial, err);
 }

@@ -167,7 +167,7 @@ static int build_subject(const struct subject *subject, const struct exercise *e
     int result = subject->repeats > 0 ? build_repeated(subject, exercise, root, text, build, err)
                                       : build_submission(exercise, &source, 1, build, err);
     if (result == 0 && build->refusal.refused)
-        result = error_set(err, "%s does not build: %s %.300s", path, build->refusal.message,
+        result = error_set(err, "%s does not build: %s %.300s", path, build->refusal.message.en,
                            build->diagnostics);
     free(text);
     return result;

@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-enum { ANSWER_BYTES_MAX = 1 << 16, CHANGES_MAX = 4 };
+enum { ANSWER_BYTES_MAX = 1 << 16, INPUT_BYTES_MAX = 1 << 18, CHANGES_MAX = 4 };
 
 static const uint64_t EXTREMES[] = {0,
                                     1,
@@ -98,7 +98,39 @@ static void fuzz_case(const struct judge *judge, struct span input,
     free(bytes);
 }
 
-void answers_fuzz(const struct judge *judge, const char *group, int rounds)
+static void refuse(const struct judge *judge, const struct judge_case *c, struct span input,
+                   const struct submission_answer *right, const unsigned char *bytes, size_t count,
+                   const char *what)
+{
+    struct judgement judgement;
+    judge_bytes(judge, input, bytes, count, &right->usage, &judgement);
+    if (judgement.accepted)
+        fail_msg("%s, case %s: accepts %s", judge->exercise, c->name, what);
+}
+
+static void refuse_garbage(const struct judge *judge, const struct judge_case *c, struct span input,
+                           const struct submission_answer *right)
+{
+    struct random rng;
+    unsigned char *bytes = malloc(right->count + 1);
+    assert_non_null(bytes);
+    random_init(&rng, c->seed);
+    refuse(judge, c, input, right, right->bytes, 0, "no bytes");
+    refuse(judge, c, input, right, right->bytes, right->count - 1, "all bytes but one");
+    refuse(judge, c, input, right, right->bytes, right->count / 2, "half of the bytes");
+    for (size_t i = 0; i < right->count; i++)
+        bytes[i] = (unsigned char)random_next(&rng);
+    refuse(judge, c, input, right, bytes, right->count, "random bytes");
+    memset(bytes, 0x7F, right->count);
+    refuse(judge, c, input, right, bytes, right->count, "huge counts");
+    free(bytes);
+}
+
+/* Calls `use` with the reference's answer to every case, or to every public one. */
+static void for_each_answer(const struct judge *judge, const char *group, bool public_only,
+                            void (*use)(const struct judge *, size_t, struct span,
+                                        const struct submission_answer *, int),
+                            int rounds)
 {
     char source[256];
     struct submission reference;
@@ -108,14 +140,39 @@ void answers_fuzz(const struct judge *judge, const char *group, int rounds)
         struct writer input = writer_growing();
         struct error err = {0};
         struct submission_answer right;
+        if (public_only && !judge_case_is_public(&judge->cases[i]))
+            continue;
         assert_int_equal(judge_make(judge, &judge->cases[i], "exercises/models", &input, &err), 0);
         struct span span = {input.bytes, input.count};
         submission_run(&reference, span, judge_answer_bound(judge, span), 0, &right);
         assert_int_equal(right.end, SUBMISSION_ANSWERED);
-        if (right.count <= ANSWER_BYTES_MAX)
-            fuzz_case(judge, span, &right, rounds / (int)judge->case_count + 1, i + 1);
+        use(judge, i, span, &right, rounds);
         submission_answer_release(&right);
         writer_release(&input);
     }
     submission_release(&reference);
+}
+
+static void fuzz_one(const struct judge *judge, size_t i, struct span input,
+                     const struct submission_answer *right, int rounds)
+{
+    if (right->count <= ANSWER_BYTES_MAX && input.count <= INPUT_BYTES_MAX)
+        fuzz_case(judge, input, right, rounds / (int)judge->case_count + 1, i + 1);
+}
+
+void answers_fuzz(const struct judge *judge, const char *group, int rounds)
+{
+    for_each_answer(judge, group, false, fuzz_one, rounds);
+}
+
+static void refuse_one(const struct judge *judge, size_t i, struct span input,
+                       const struct submission_answer *right, int rounds)
+{
+    (void)rounds;
+    refuse_garbage(judge, &judge->cases[i], input, right);
+}
+
+void answers_refuse_garbage(const struct judge *judge, const char *group)
+{
+    for_each_answer(judge, group, true, refuse_one, 0);
 }

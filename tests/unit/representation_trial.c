@@ -33,7 +33,7 @@ static bool names_an_element(const char *text)
 }
 
 /* Which vertex of `back` each number is, and the lowest number of each vertex. */
-static void map_numbers(struct trial *trial)
+static void map_numbers(struct representation_trial *trial)
 {
     const struct representation *kind = trial->kind;
     trial->number_count = kind->vertex_count(trial->self);
@@ -69,7 +69,7 @@ static void map_numbers(struct trial *trial)
 }
 
 /* Builds, and holds the promise about what is refused. */
-static bool build_trial(struct trial *trial)
+static bool build_trial(struct representation_trial *trial)
 {
     const struct representation *kind = trial->kind;
     struct topology topology;
@@ -89,9 +89,9 @@ static bool build_trial(struct trial *trial)
     return false;
 }
 
-bool trial_init(struct trial *trial, const struct representation *kind, int i)
+bool trial_init(struct representation_trial *trial, const struct representation *kind, int i)
 {
-    *trial = (struct trial){.kind = kind, .mesh = corpus_mesh(i)};
+    *trial = (struct representation_trial){.kind = kind, .mesh = corpus_mesh(i)};
     current_kind = kind->name;
     current_mesh = corpus_name(i);
     if (!build_trial(trial)) {
@@ -109,7 +109,7 @@ bool trial_init(struct trial *trial, const struct representation *kind, int i)
     return true;
 }
 
-void trial_release(struct trial *trial)
+void trial_release(struct representation_trial *trial)
 {
     representation_delete(trial->kind, trial->self);
     oracle_release(&trial->oracle);
@@ -119,11 +119,11 @@ void trial_release(struct trial *trial)
     free(trial->vertex_of);
 }
 
-void for_each_trial(int random_count, void (*test)(struct trial *trial))
+void for_each_trial(int random_count, void (*test)(struct representation_trial *trial))
 {
     for (int kind = 0; representation_table[kind]; kind++)
         for (int i = 0; i < CORPUS_GENERATED + random_count; i++) {
-            struct trial trial;
+            struct representation_trial trial;
             if (!trial_init(&trial, representation_table[kind], i))
                 continue;
             test(&trial);

@@ -5,7 +5,7 @@
 #include "reference/representation/representation.h"
 #include "tests/unit/mesh_oracle.h"
 
-struct trial {
+struct representation_trial {
     const struct representation *kind;
     void *self;           /* built from `mesh` */
     struct mesh mesh;     /* of the corpus */
@@ -18,12 +18,12 @@ struct trial {
 
 /* Mesh i of the corpus (mesh_corpus.h) in that representation. Returns false, with nothing to
  * release, when the mesh has what the kind does not hold; whatever else happens fails the test. */
-bool trial_init(struct trial *trial, const struct representation *kind, int i);
-void trial_release(struct trial *trial);
+bool trial_init(struct representation_trial *trial, const struct representation *kind, int i);
+void trial_release(struct representation_trial *trial);
 
 /* Calls `test` with a trial for each mesh of the corpus, `random_count` random ones included, in
  * each representation that holds it. Names what it was at when the test fails. */
-void for_each_trial(int random_count, void (*test)(struct trial *trial));
+void for_each_trial(int random_count, void (*test)(struct representation_trial *trial));
 
 /* Fails the test unless it holds; says what does not hold for which kind and mesh. */
 void require(bool holds, const char *what);

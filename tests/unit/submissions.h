@@ -1,10 +1,11 @@
 /* Known submissions against a judge, without the engine: a submission is compiled, linked with the
- * exercise's real runner (build/runner/<group>/<name>.plain.o) and run on a case in a process of its own.
- * There is no box, so nothing hostile may be run with this. Tests run in the root of the tree. */
+ * exercise's real runner (build/runner/<group>/<name>.plain.o) and run on a case in a process of
+ * its own. There is no box, so nothing hostile may be run with this. Tests run in the root of the
+ * tree. */
 #ifndef TESTS_UNIT_SUBMISSIONS_H
 #define TESTS_UNIT_SUBMISSIONS_H
 
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 /* A compiled submission; lives until submission_release. */
 struct submission {
@@ -37,18 +38,5 @@ void submission_release(struct submission *submission);
 void submission_run(const struct submission *submission, struct span input, size_t answer_bound,
                     int64_t failing_allocation, struct submission_answer *answer);
 void submission_answer_release(struct submission_answer *answer);
-
-/* Checks an exercise's answers and its judge against each other, and fails the test with a list of
- * all that is not as it should be:
- * - exercise.json: the points sum to 10, the classes are those of the judge's cases;
- * - the reference and every right/, slow/, greedy/ and leak/ submission is accepted in every case,
- *   and frees all but in leak/, where something must be left in some case;
- * - the reference and every right/ submission survives every failing allocation and says so;
- * - starter.c fails the first class; every wrong/ submission (and others that say `expect:
- *   wrong-answer`) fails some class, and just the classes that its `fails:` line names;
- * - every class has a submission that fails just that class;
- * - every input of make_sized (first_size and its first two doublings) is answered rightly by the
- *   reference. */
-void submissions_check(const struct judge *judge, const char *group);
 
 #endif

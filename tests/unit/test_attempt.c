@@ -73,8 +73,8 @@ static void test_deaths(void **state)
         }
         assert_int_equal(attempt.verdict, deaths[i].verdict);
         assert_string_equal(attempt.cause, deaths[i].cause);
-        assert_string_not_equal(attempt.message, "");
-        assert_string_not_equal(attempt.message_es, "");
+        assert_string_not_equal(attempt.message.en, "");
+        assert_string_not_equal(attempt.message.es, "");
     }
 }
 

@@ -1,5 +1,5 @@
 /* The inputs that judges declare: every recipe makes what its header says. */
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 #include "reference/mesh/check.h"
 
 #include <math.h>

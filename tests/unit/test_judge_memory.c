@@ -1,6 +1,6 @@
 /* The judges of the memory exercises: known submissions, what they must accept in any order, what
- * they must never accept, and answers of any bytes. */
-#include "graders/judges/judge.h"
+ * they must never accept, and what they say of it. */
+#include "graders/library/judge.h"
 #include "reference/base/random.h"
 #include "tests/unit/answers.h"
 #include "tests/unit/submissions.h"
@@ -16,24 +16,6 @@
 
 extern const struct judge judge_memory_indexed_grid, judge_memory_strips,
     judge_memory_voxels_vs_mesh;
-
-static void test_indexed_grid_submissions(void **state)
-{
-    (void)state;
-    submissions_check(&judge_memory_indexed_grid, "memory");
-}
-
-static void test_strips_submissions(void **state)
-{
-    (void)state;
-    submissions_check(&judge_memory_strips, "memory");
-}
-
-static void test_voxels_vs_mesh_submissions(void **state)
-{
-    (void)state;
-    submissions_check(&judge_memory_voxels_vs_mesh, "memory");
-}
 
 /* ----------------------------------------------------------------- answers */
 
@@ -54,11 +36,12 @@ static void sample_take(struct sample *sample, const struct judge *judge, const 
     while (i < judge->case_count && strcmp(judge->cases[i].name, case_name) != 0)
         i++;
     assert_true(i < judge->case_count);
-    assert_int_equal(judge->make(&judge->cases[i], "exercises/models", &sample->input, &err), 0);
+    assert_int_equal(judge_make(judge, &judge->cases[i], "exercises/models", &sample->input, &err),
+                     0);
     snprintf(source, sizeof source, "reference/answers/memory/%s.c", judge->exercise);
     submission_build(&reference, "memory", judge->exercise, source);
     struct span input = {sample->input.bytes, sample->input.count};
-    submission_run(&reference, input, judge->answer_bound(input), 0, &sample->answer);
+    submission_run(&reference, input, judge_answer_bound(judge, input), 0, &sample->answer);
     submission_release(&reference);
     assert_int_equal(sample->answer.end, SUBMISSION_ANSWERED);
 }
@@ -69,16 +52,22 @@ static void sample_release(struct sample *sample)
     writer_release(&sample->input);
 }
 
-/* Judges the answer as it stands now. Returns the cause of a rejection, "" when it was accepted. */
+/* Judges the answer as it stands now. Release the judgement's scene. */
+static void judge_sample(const struct sample *sample, struct judgement *judgement)
+{
+    struct span input = {sample->input.bytes, sample->input.count};
+    struct span said = {sample->answer.bytes, sample->answer.count};
+    struct error err = {0};
+    memset(judgement, 0, sizeof *judgement);
+    assert_int_equal(
+        judge_answer(sample->judge, input, said, &sample->answer.usage, judgement, &err), 0);
+}
+
+/* Returns the cause of a rejection, "" when it was accepted. */
 static const char *verdict_on(const struct sample *sample)
 {
     static struct judgement judgement;
-    struct error err = {0};
-    memset(&judgement, 0, sizeof judgement);
-    assert_int_equal(sample->judge->judge((struct span){sample->input.bytes, sample->input.count},
-                                          (struct span){sample->answer.bytes, sample->answer.count},
-                                          &sample->answer.usage, &judgement, &err),
-                     0);
+    judge_sample(sample, &judgement);
     scene_release(&judgement.scene);
     return judgement.accepted ? "" : judgement.cause;
 }
@@ -254,6 +243,105 @@ static void test_every_bit_is_looked_at(void **state)
     }
 }
 
+/* Every coordinate of every strip matters, and strips may stand in any order. */
+static void test_every_strip_is_looked_at(void **state)
+{
+    (void)state;
+    enum { STRIPS = 3, VERTICES = 36, STRIP_BYTES = 16 + 12 * VERTICES };
+    struct sample sample;
+    sample_take(&sample, &judge_memory_strips, "wide-grid");
+    unsigned char *first = sample.answer.bytes + sample.answer.count - STRIPS * STRIP_BYTES;
+    for (int i = 0; i < STRIPS * 3 * VERTICES; i++) {
+        float *at =
+            (float *)(void *)(first + i / (3 * VERTICES) * STRIP_BYTES + 16) + i % (3 * VERTICES);
+        float old = *at;
+        const float wrong[] = {NAN, INFINITY, old + 2e-5F, old - 2e-5F};
+        for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
+            *at = wrong[w];
+            assert_string_equal(verdict_on(&sample), "vertex-off-grid");
+        }
+        *at = old;
+    }
+    unsigned char held[STRIP_BYTES];
+    memcpy(held, first, sizeof held);
+    memmove(first, first + STRIP_BYTES, (STRIPS - 1) * STRIP_BYTES);
+    memcpy(first + (STRIPS - 1) * STRIP_BYTES, held, sizeof held);
+    assert_string_equal(verdict_on(&sample), "");
+    memcpy(first, held, sizeof held); /* one strip twice, another not at all */
+    assert_string_equal(verdict_on(&sample), "triangle-repeated");
+    sample_release(&sample);
+}
+
+/* ------------------------------------------------------------------- words */
+
+/* What is named stays the first fault, whatever comes after it. */
+static void test_the_first_fault_is_named(void **state)
+{
+    (void)state;
+    struct sample sample;
+    struct judgement judgement;
+    sample_take(&sample, &judge_memory_indexed_grid, "tall-grid-triangles");
+    struct tables tables = tables_of(&sample);
+    int32_t *flipped = tables.triangles + 9, held = flipped[0];
+    flipped[0] = flipped[1];
+    flipped[1] = held;
+    tables.triangles[15] = -7;
+    judge_sample(&sample, &judgement);
+    char en[64], es[64];
+    snprintf(en, sizeof en, "triangle 3 (%d, %d, %d)", flipped[0], flipped[1], flipped[2]);
+    snprintf(es, sizeof es, "triángulo 3 (%d, %d, %d)", flipped[0], flipped[1], flipped[2]);
+    assert_string_equal(judgement.cause, "triangle-flipped");
+    assert_string_equal(judgement.cause_name.es, "triángulo invertido");
+    assert_string_equal(judgement.element.en, en);
+    assert_string_equal(judgement.element.es, es);
+    assert_non_null(strstr(judgement.message.en, "counter-clockwise, seen from above."));
+    assert_non_null(strstr(judgement.message.es, "antihorario, vistos desde arriba."));
+    assert_int_equal(judgement.scene.mark_count[MARK_FLIPPED], 1);
+    scene_release(&judgement.scene);
+    sample_release(&sample);
+}
+
+/* Counts without tables: what a wrong one would be right for is told. */
+static void test_wrong_counts_are_explained(void **state)
+{
+    (void)state;
+    static const struct {
+        const struct judge *judge;
+        const char *name;
+        int64_t vertices, triangles;
+        const char *cause, *en, *es;
+    } answers[] = {
+        {&judge_memory_indexed_grid, "course-figure", 40, 64, "vertex-count",
+         "vertex_count is 40; it must be 45. There are m + 1 rows of n + 1 vertices.",
+         "vertex_count es 40; tiene que ser 45. Hay m + 1 filas de n + 1 vértices."},
+        {&judge_memory_indexed_grid, "course-figure", 45, INT64_MIN, "triangle-count", NULL, NULL},
+        {&judge_memory_indexed_grid, "course-figure", 45, 64, "table-missing", "vertices is NULL.",
+         "vertices es NULL."},
+        {&judge_memory_voxels_vs_mesh, "vertices-6", 26, 60, "shared-poles", NULL, NULL},
+        {&judge_memory_voxels_vs_mesh, "vertices-6", 42, 60, "meridian-stored-twice", NULL, NULL},
+        {&judge_memory_voxels_vs_mesh, "vertices-6", 49, 60, "meridian-stored-twice", NULL, NULL},
+        {&judge_memory_voxels_vs_mesh, "vertices-6", -1, -1, "vertex-count", NULL, NULL}};
+    for (size_t i = 0; i < sizeof answers / sizeof *answers; i++) {
+        struct sample sample;
+        struct judgement judgement;
+        sample_take(&sample, answers[i].judge, answers[i].name);
+        struct writer writer = writer_into(sample.answer.bytes, sample.answer.count);
+        write_int(&writer, 0);
+        write_table(&writer, NULL, answers[i].vertices, 12);
+        write_table(&writer, NULL, answers[i].triangles, 12);
+        write_int(&writer, 0);
+        judge_sample(&sample, &judgement);
+        assert_false(judgement.accepted);
+        assert_string_equal(judgement.cause, answers[i].cause);
+        if (answers[i].en) {
+            assert_string_equal(judgement.message.en, answers[i].en);
+            assert_string_equal(judgement.message.es, answers[i].es);
+        }
+        scene_release(&judgement.scene);
+        sample_release(&sample);
+    }
+}
+
 /* ----------------------------------------------------------------- numbers */
 
 static void test_numbers_are_exact_to_two_decimals(void **state)
@@ -327,15 +415,15 @@ static void test_any_bytes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_indexed_grid_submissions),
-                                       cmocka_unit_test(test_strips_submissions),
-                                       cmocka_unit_test(test_voxels_vs_mesh_submissions),
-                                       cmocka_unit_test(test_any_numbering_is_right),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_any_numbering_is_right),
                                        cmocka_unit_test(test_every_triangle_is_looked_at),
                                        cmocka_unit_test(test_every_coordinate_is_looked_at),
                                        cmocka_unit_test(test_every_bit_is_looked_at),
                                        cmocka_unit_test(test_numbers_are_exact_to_two_decimals),
                                        cmocka_unit_test(test_measured_memory),
+                                       cmocka_unit_test(test_every_strip_is_looked_at),
+                                       cmocka_unit_test(test_the_first_fault_is_named),
+                                       cmocka_unit_test(test_wrong_counts_are_explained),
                                        cmocka_unit_test(test_any_bytes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -59,8 +59,8 @@ static void expect(const char *source, const char *cause, int line)
             snprintf(where, sizeof where, "main.c:%d: ", line);
             assert_int_equal(policy.line, line);
             assert_string_equal(policy.file, "main.c");
-            assert_memory_equal(policy.refusal.message, where, strlen(where));
-            assert_memory_equal(policy.refusal.message_es, where, strlen(where));
+            assert_memory_equal(policy.refusal.message.en, where, strlen(where));
+            assert_memory_equal(policy.refusal.message.es, where, strlen(where));
         }
     }
 }
@@ -81,9 +81,9 @@ static void every_header_passes(void **state)
         "__m128 twice(__m128 x) { return _mm_add_ps(x, x); }\n";
     expect(headers, "", 0);
     struct policy policy = judge(headers, "-std=gnu17 -D_FORTIFY_SOURCE=2");
-    assert_string_equal(policy.refusal.message, "");
+    assert_string_equal(policy.refusal.message.en, "");
     policy = judge(headers, "-std=c17 -O0 -fsanitize=address");
-    assert_string_equal(policy.refusal.message, "");
+    assert_string_equal(policy.refusal.message.en, "");
 }
 
 static void honest_words_pass(void **state)

@@ -80,7 +80,7 @@ static void test_drawing(void **state)
     struct html page;
     (void)state;
     assert_int_equal(html_start(&page, &err), 0);
-    chart_draw(&page, scene, (struct words){"a chart", "un gráfico"});
+    chart_draw(&page, scene, (struct phrase){"a chart", "un gráfico"});
     assert_int_equal(html_finish(&page, &err), 0);
     const char *text = page.text, *guide = strstr(text, "curve guide");
     assert_non_null(guide);

@@ -20,10 +20,10 @@
 static bool is_optional(const char *key)
 {
     static const char *const keys[] = {
-        "course",      "element",           "scene",      "picture",
-        "fit",         "excess_percent",    "growth",     "work",
-        "memory",      "instruction_ratio", "miss_ratio", "allocations",
-        "stack_bytes", "static_bytes",      "families",   "cause"};
+        "course",         "element",     "scene",       "picture",      "fit",
+        "excess_percent", "growth",      "work",        "memory",       "instruction_ratio",
+        "miss_ratio",     "allocations", "stack_bytes", "static_bytes", "families",
+        "cause",          "cause_name",  "elements"};
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         if (strcmp(keys[i], key) == 0)
             return true;

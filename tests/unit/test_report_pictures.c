@@ -163,7 +163,7 @@ static void test_a_hanging_renderer_is_stopped(void **state)
     (void)state;
     char out[64];
     char renderer[100];
-    struct words reason = {NULL, NULL};
+    struct phrase reason = {NULL, NULL};
     sample_copy(out);
     write_script(out, "#!/bin/sh\nexec sleep 1000\n", renderer);
     assert_int_equal(renderer_run(renderer, "job.json", 100, &reason), RENDERER_FAILED);

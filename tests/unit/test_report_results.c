@@ -176,8 +176,8 @@ static void test_cases_that_were_not_run_are_no_failures(void **state)
     const json_t *closed = json_array_get(classes, 0), *open = json_array_get(classes, 1);
     result_class_tally(result, closed, false, text, sizeof text);
     assert_string_equal(text, "2 of 2");
-    assert_int_equal(result_class_outcome(result, closed), OUTCOME_PASSED);
-    assert_int_equal(result_class_outcome(result, open), OUTCOME_FAILED);
+    assert_int_equal(result_class_standing(result, closed), STANDING_PASSED);
+    assert_int_equal(result_class_standing(result, open), STANDING_FAILED);
 
     sample_leave_out(result, "closed", 2);
     sample_leave_out(result, "open", 1);
@@ -185,10 +185,10 @@ static void test_cases_that_were_not_run_are_no_failures(void **state)
     assert_string_equal(text, "not run");
     result_class_tally(result, closed, true, text, sizeof text);
     assert_string_equal(text, "sin ejecutar");
-    assert_int_equal(result_class_outcome(result, closed), OUTCOME_ABSENT);
+    assert_int_equal(result_class_standing(result, closed), STANDING_ABSENT);
     result_class_tally(result, open, false, text, sizeof text);
     assert_string_equal(text, "0 of 2, 1 not run");
-    assert_int_equal(result_class_outcome(result, open), OUTCOME_FAILED);
+    assert_int_equal(result_class_standing(result, open), STANDING_FAILED);
     assert_int_equal(result_not_run(result, NULL).count, 3);
     assert_string_equal(result_not_run(result, "open").reason.en, "Two cases did not end in time.");
     json_decref(result);
@@ -235,23 +235,24 @@ static void test_a_hint_is_told_only_of_those_who_got_it(void **state)
     json_decref(all);
 }
 
-static void test_causes_and_elements_are_in_both_languages(void **state)
+static void test_texts_of_a_result_are_read_in_both_languages(void **state)
 {
     (void)state;
-    char text[80];
-    assert_string_equal(words_cause("fence-post", text, sizeof text).en, "fence post");
-    assert_string_equal(words_cause("byte-a-cell", text, sizeof text).es, "un byte por celda");
-    assert_string_equal(words_cause("self-edge", text, sizeof text).en, "degenerate edge");
-    assert_string_equal(words_cause("self-edge", text, sizeof text).es, "arista degenerada");
-    assert_string_equal(words_cause("abort", text, sizeof text).es, "abort o assert");
-    assert_string_equal(words_cause("wrong-ratio", text, sizeof text).es, "cociente incorrecto");
-    assert_string_equal(words_cause("leak", text, sizeof text).es, "fuga de memoria");
-    assert_string_equal(words_cause("no-such-cause", text, sizeof text).es, "no such cause");
-    assert_string_equal(words_element("edge {0,2}", text, sizeof text).es, "arista {0,2}");
-    assert_string_equal(words_element("strip 0, vertex 6 (1, 2)", text, sizeof text).es,
-                        "tira 0, vértice 6 (1, 2)");
-    assert_string_equal(words_element("mesh_edge_bytes", text, sizeof text).es, "mesh_edge_bytes");
-    assert_string_equal(words_element("edge edge edge", text, 10).es, "arista ar");
+    char room[80];
+    json_t *now = json_pack("{s:s, s:{s:s, s:s}, s:{s:s, s:s}}", "cause", "lost-loop", "cause_name",
+                            "en", "lost loop", "es", "falta un bucle", "element", "en",
+                            "loop 0, side (1,36)", "es", "bucle 0, lado (1,36)");
+    json_t *earlier = json_pack("{s:s, s:s}", "cause", "missing-edge", "element", "edge {0,2}");
+    assert_string_equal(words_cause(now, room, sizeof room).en, "lost loop");
+    assert_string_equal(words_cause(now, room, sizeof room).es, "falta un bucle");
+    assert_string_equal(words_in(now, "element").es, "bucle 0, lado (1,36)");
+    assert_string_equal(words_cause(earlier, room, sizeof room).en, "missing edge");
+    assert_string_equal(words_cause(earlier, room, sizeof room).es, "missing edge");
+    assert_string_equal(words_cause(earlier, room, 8).es, "missing");
+    assert_string_equal(words_in(earlier, "element").es, "edge {0,2}");
+    assert_string_equal(words_cause(NULL, room, sizeof room).en, "");
+    json_decref(now);
+    json_decref(earlier);
 }
 
 static void assert_bytes(double bytes, const char *expected)
@@ -282,7 +283,7 @@ int main(void)
         cmocka_unit_test(test_different_maximum_scores_are_refused),
         cmocka_unit_test(test_cases_that_were_not_run_are_no_failures),
         cmocka_unit_test(test_a_hint_is_told_only_of_those_who_got_it),
-        cmocka_unit_test(test_causes_and_elements_are_in_both_languages),
+        cmocka_unit_test(test_texts_of_a_result_are_read_in_both_languages),
         cmocka_unit_test(test_bytes_have_the_units_of_the_course),
         cmocka_unit_test(test_writing_is_atomic_and_only_when_needed),
         cmocka_unit_test(test_safe_names),

@@ -76,6 +76,60 @@ static void test_three_lines_say_what_where_and_how(void **state)
     json_decref(result);
 }
 
+static void set_both(json_t *object, const char *key, const char *en, const char *es)
+{
+    assert_int_equal(json_object_set_new(object, key, json_pack("{s:s, s:s}", "en", en, "es", es)),
+                     0);
+}
+
+/* A new exercise brings causes and nouns that nobody here knows. */
+static void test_new_causes_and_nouns_read_in_both_languages(void **state)
+{
+    (void)state;
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    size_t i;
+    json_t *one;
+    json_object_set_new(result, "cause", json_string("lost-loop"));
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        if (strcmp(json_string_value(json_object_get(one, "name")), "disc") != 0)
+            continue;
+        json_object_set_new(one, "cause", json_string("lost-loop"));
+        set_both(one, "cause_name", "lost loop", "falta un bucle");
+        set_both(one, "element", "loop 0, side (1,36)", "bucle 0, lado (1,36)");
+    }
+    char *text = print(result, (struct terminal_style){0});
+    assert_non_null(strstr(text, "  where   loop 0, side (1,36), case disc (Open meshes)\n"));
+    free(text);
+    text = print(result, (struct terminal_style){.spanish = true});
+    assert_non_null(strstr(text, "  dónde   bucle 0, lado (1,36), caso disc (Mallas abiertas)\n"));
+    free(text);
+    json_decref(result);
+}
+
+/* A call on a large input that goes wrong ends growth, work and memory: said once. */
+static void test_checks_that_were_not_reached_say_why(void **state)
+{
+    (void)state;
+    static const char why[] = "With the input fan of size 8192: one edge is missing.";
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    size_t i;
+    json_t *check;
+    json_array_foreach(json_object_get(result, "checks"), i, check)
+    {
+        json_object_set_new(check, "verdict", json_string("not-reached"));
+        json_object_set_new(check, "cause", json_string(i < 3 ? "missing-edge" : "not-reached"));
+        set_both(check, "message", i < 3 ? why : "Not looked at.", "No.");
+    }
+    char *text = print(result, (struct terminal_style){0});
+    const char *first = strstr(text, why);
+    assert_non_null(first);
+    assert_null(strstr(first + 1, why));
+    assert_null(strstr(text, "Not looked at."));
+    free(text);
+    json_decref(result);
+}
+
 static void test_a_long_message_is_cut_and_then_told_whole(void **state)
 {
     (void)state;
@@ -165,6 +219,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_three_lines_say_what_where_and_how),
+        cmocka_unit_test(test_new_causes_and_nouns_read_in_both_languages),
+        cmocka_unit_test(test_checks_that_were_not_reached_say_why),
         cmocka_unit_test(test_a_long_message_is_cut_and_then_told_whole),
         cmocka_unit_test(test_the_first_sentence_stands_alone),
         cmocka_unit_test(test_every_verdict_fits_and_is_inert),

@@ -17,7 +17,7 @@ enum { RANDOM_MESHES = 120 };
 
 /* -- coming back ------------------------------------------------------------------------------ */
 
-static void require_same(const struct trial *trial)
+static void require_same(const struct representation_trial *trial)
 {
     require(same_surface(&trial->mesh, &trial->back), "the same triangles come back");
     if (!trial->kind->vertex_names) {
@@ -34,7 +34,7 @@ static void require_same(const struct trial *trial)
     mesh_release(&welded);
 }
 
-static void one_mesh_comes_back(struct trial *trial)
+static void one_mesh_comes_back(struct representation_trial *trial)
 {
     require_same(trial);
 }
@@ -113,7 +113,7 @@ static void descriptions_are_whole(void **state)
     assert_null(representation_find("no such representation"));
 }
 
-static void one_formula_gives_the_bytes(struct trial *trial)
+static void one_formula_gives_the_bytes(struct representation_trial *trial)
 {
     struct topology topology;
     require(topology_of(&trial->mesh, &topology, NULL) == 0, "there is memory");
@@ -136,7 +136,7 @@ static bool is_near(double a, double b, double scale)
 }
 
 /* Exact in binary32, so that nothing welds that did not, and then one that is not. */
-static void one_is_transformed(struct trial *trial)
+static void one_is_transformed(struct representation_trial *trial)
 {
     static const float exact[12] = {0, 2, 0, 0, 0, 0, -1, 0, 0.5F, 0, 0, 0};
     static const float shear[12] = {1, 0.5F, 0, 3, 0, 1, 0, -2, 0.25F, 0, 1, 5};
@@ -186,7 +186,7 @@ static bool is_direction(const float normal[3], const double vector[3], double s
     return true;
 }
 
-static void one_has_area_and_normals(struct trial *trial)
+static void one_has_area_and_normals(struct representation_trial *trial)
 {
     double sum = 0.0;
     int32_t face_count = trial->back.triangle_count,
@@ -217,7 +217,7 @@ static void area_and_normals_are_right(void **state)
     for_each_trial(RANDOM_MESHES, one_has_area_and_normals);
 }
 
-static void one_has_edges(struct trial *trial)
+static void one_has_edges(struct representation_trial *trial)
 {
     int32_t *pairs = malloc(6 * (size_t)trial->back.triangle_count * sizeof *pairs + 1);
     uint8_t *seen =
@@ -247,8 +247,8 @@ static void every_edge_is_listed_once(void **state)
 }
 
 /* Every boundary edge once, closed, and along its face where faces agree. */
-static void require_loops(struct trial *trial, const int32_t *vertices, const int32_t *starts,
-                          int32_t loop_count, uint8_t *seen)
+static void require_loops(struct representation_trial *trial, const int32_t *vertices,
+                          const int32_t *starts, int32_t loop_count, uint8_t *seen)
 {
     bool is_coherent = oracle_is_coherent(&trial->oracle);
     int64_t n = trial->back.vertex_count;
@@ -269,7 +269,7 @@ static void require_loops(struct trial *trial, const int32_t *vertices, const in
     }
 }
 
-static void one_has_loops(struct trial *trial)
+static void one_has_loops(struct representation_trial *trial)
 {
     int64_t boundary = oracle_edge_count(&trial->oracle, 1);
     int32_t *vertices = malloc((size_t)boundary * sizeof *vertices + 1);
@@ -301,7 +301,7 @@ static void boundary_edges_make_loops(void **state)
     for_each_trial(RANDOM_MESHES, one_has_loops);
 }
 
-static void one_is_smoothed(struct trial *trial)
+static void one_is_smoothed(struct representation_trial *trial)
 {
     struct mesh after;
     require(trial->kind->smooth(trial->self, NULL) == 0, "there is memory");

@@ -73,7 +73,7 @@ static void the_example_of_the_course(void **state)
 {
     (void)state;
     const int32_t starts[3] = {0, 4, 8}, corners[8] = {0, 1, 2, 3, 1, 5, 4, 2};
-    struct polygons polygons = {document_positions, starts, corners, 6, 2};
+    struct listed_polygons polygons = {document_positions, starts, corners, 6, 2};
     struct face_edge_vertex lists;
     assert_int_equal(face_edge_vertex_from_polygons(&lists, &polygons, NULL), 0);
     assert_int_equal(representation_face_edge_vertex.check(&lists, NULL), 0);
@@ -122,7 +122,8 @@ static void impossible_polygons_are_refused(void **state)
          "edge {0,1} is in faces 0, 1 and 2: it can have two"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct polygons polygons = {document_positions, cases[i].starts, cases[i].corners, 6, 3};
+        struct listed_polygons polygons = {document_positions, cases[i].starts, cases[i].corners, 6,
+                                           3};
         struct face_edge_vertex lists;
         struct error err = {0};
         assert_int_equal(face_edge_vertex_from_polygons(&lists, &polygons, &err), -1);

@@ -19,7 +19,7 @@ static int compare_numbers(const void *a, const void *b)
 
 /* -- faces ------------------------------------------------------------------------------------ */
 
-static void one_has_faces(struct trial *trial)
+static void one_has_faces(struct representation_trial *trial)
 {
     int32_t face_count = trial->back.triangle_count;
     int32_t *all = malloc(3 * (size_t)face_count * sizeof *all + 1);
@@ -53,8 +53,8 @@ static void faces_know_vertices_and_neighbours(void **state)
 /* -- vertices --------------------------------------------------------------------------------- */
 
 /* Successive faces share an edge at the vertex. */
-static void require_ring(const struct trial *trial, int32_t vertex, const int32_t *faces,
-                         int32_t count)
+static void require_ring(const struct representation_trial *trial, int32_t vertex,
+                         const int32_t *faces, int32_t count)
 {
     for (int32_t i = 0; i + 1 < count; i++) {
         const int32_t *a = trial->back.triangles + 3 * (int64_t)faces[i];
@@ -66,8 +66,8 @@ static void require_ring(const struct trial *trial, int32_t vertex, const int32_
     }
 }
 
-static void require_vertex_ring(const struct trial *trial, int32_t vertex, const int32_t *around,
-                                int32_t count)
+static void require_vertex_ring(const struct representation_trial *trial, int32_t vertex,
+                                const int32_t *around, int32_t count)
 {
     for (int32_t i = 0; i + 1 < count; i++)
         require(oracle_uses(&trial->oracle, trial->vertex_of[around[i]],
@@ -92,7 +92,8 @@ static void require_answer(struct answer *answer, int32_t truth_count, const cha
             what);
 }
 
-static void require_faces_around(struct trial *trial, int32_t number, struct answer *answer)
+static void require_faces_around(struct representation_trial *trial, int32_t number,
+                                 struct answer *answer)
 {
     int32_t vertex = trial->vertex_of[number], room = trial->back.triangle_count;
     answer->numbers[0] = UNTOUCHED;
@@ -106,7 +107,8 @@ static void require_faces_around(struct trial *trial, int32_t number, struct ans
                    "faces around a vertex are right");
 }
 
-static void require_vertices_around(struct trial *trial, int32_t number, struct answer *answer)
+static void require_vertices_around(struct representation_trial *trial, int32_t number,
+                                    struct answer *answer)
 {
     int32_t vertex = trial->vertex_of[number], room = trial->number_count;
     answer->numbers[0] = UNTOUCHED;
@@ -122,7 +124,7 @@ static void require_vertices_around(struct trial *trial, int32_t number, struct 
     require_answer(answer, truth_count, "vertices around a vertex are right");
 }
 
-static void one_has_vertices(struct trial *trial)
+static void one_has_vertices(struct representation_trial *trial)
 {
     size_t room = (size_t)trial->back.triangle_count + (size_t)trial->number_count + 1;
     struct answer answer = {malloc(room * sizeof(int32_t)), malloc(room * sizeof(int32_t)), 0};
@@ -142,14 +144,14 @@ static void vertices_know_faces_and_vertices(void **state)
     for_each_trial(RANDOM_MESHES, one_has_vertices);
 }
 
-static void require_told(struct trial *trial, int32_t u, int32_t v)
+static void require_told(struct representation_trial *trial, int32_t u, int32_t v)
 {
     require(trial->kind->is_edge(trial->self, u, v) ==
                 (oracle_uses(&trial->oracle, trial->vertex_of[u], trial->vertex_of[v]) > 0),
             "pairs of vertices are told from edges");
 }
 
-static void one_tells_edges(struct trial *trial)
+static void one_tells_edges(struct representation_trial *trial)
 {
     int32_t step = 1 + trial->number_count / 12, other_step = 1 + trial->number_count / 60;
     for (int32_t u = 0; u < trial->number_count; u += step)

@@ -77,6 +77,8 @@ static void every_element_is_written_by_its_vertices(void **state)
         assert_vertices(mark, expected[m].count, expected[m].vertices);
     }
     assert_int_equal(number_of(json_object_get(json, "mark_counts"), "turn-1"), 1);
+    assert_int_equal(json_array_size(json_object_get(json_array_get(marks, 4), "fill")), 9);
+    assert_null(json_object_get(json_array_get(marks, 2), "fill"));
     json_decref(json);
     scene_release(&scene);
 }
@@ -335,14 +337,33 @@ static void big_polygon_meshes_are_cut_to_whole_faces(void **state)
     scene_mark_face(&scene, MARK_WRONG, corners + 4 * (size_t)face, 4);
     scene_label_face(&scene, corners + 4 * (size_t)face, 4, face);
     scene_label_vertex(&scene, 0, 0);
+    float *numbers = calloc(FACES, sizeof *numbers);
+    int32_t *groups = calloc(FACES, sizeof *groups);
+    assert_true(numbers && groups);
+    numbers[face] = 5;
+    groups[face] = 3;
+    const struct phrase none = {NULL, NULL};
+    assert_int_equal(scene_set_values(&scene, SCENE_PER_FACE, numbers, 0, 5, none, face, NULL), 0);
+    assert_int_equal(scene_set_groups(&scene, groups, NULL), 0);
+    assert_int_equal(scene_add_vectors(&scene, MARK_WRONG, positions, NULL), 0);
+    free(numbers);
+    free(groups);
     assert_true(scene_needs_cut(&scene));
     assert_int_equal(scene_cut(&scene, &cut, NULL), 0);
     assert_int_equal(cut.mesh.triangle_count, SCENE_CUT_TRIANGLES);
+    int64_t high = 0, parts = 0;
+    for (int32_t t = 0; t < cut.mesh.triangle_count; t++) {
+        high += cut.values.numbers[t] == 5;
+        parts += cut.groups[t] == 3;
+    }
+    assert_true(high == 2 && parts == 2 && cut.values.count == SCENE_CUT_TRIANGLES);
+    assert_memory_equal(cut.vectors[0].xyz, cut.mesh.positions,
+                        3 * sizeof(float) * (size_t)cut.mesh.vertex_count);
     assert_int_equal(cut.faces.count, SCENE_CUT_TRIANGLES / 2);
     assert_int_equal(polygons_check(cut.faces.first_corner, cut.faces.corners, cut.faces.count,
                                     cut.mesh.vertex_count, NULL),
                      0);
-    assert_int_equal(cut.kept_mark_count, 1);
+    assert_int_equal(cut.kept_mark_count, 2);
     assert_int_equal(cut.label_count, 1); /* vertex 0 is far away */
     const float *corner = cut.mesh.positions + 3 * (size_t)cut.marks[0].list[0];
     assert_true(corner[0] == SIDE / 2 && corner[1] == SIDE / 2);
@@ -355,6 +376,122 @@ static void big_polygon_meshes_are_cut_to_whole_faces(void **state)
     free(positions);
     free(first);
     free(corners);
+}
+
+/* -------------------------------------------------------------------- values, vectors, answer */
+
+static void values_of_polygons_become_those_of_their_triangles(void **state)
+{
+    (void)state;
+    static const struct phrase unit = {"degrees", "grados"};
+    const float values[] = {3, NAN};
+    struct scene scene = {0};
+    assert_int_equal(scene_set_values(&scene, SCENE_PER_FACE, values, 0, 9, unit, 0, NULL), -1);
+    set_house(&scene);
+    assert_int_equal(scene_set_values(&scene, SCENE_PER_FACE, values, 9, 0, unit, 0, NULL), -1);
+    assert_int_equal(scene_set_values(&scene, SCENE_PER_FACE, values, 0, NAN, unit, 0, NULL), -1);
+    assert_int_equal(scene_set_values(&scene, SCENE_PER_FACE, values, 0, 9, unit, 0, NULL), 0);
+    json_t *json = scene_to_json(&scene);
+    const json_t *written = json_object_get(json, "values");
+    assert_string_equal(text_of(written, "of"), "triangle");
+    assert_string_equal(text_of(written, "numbers"), "AABAQAAAQEAAAEBAAADAfw==");
+    assert_string_equal(text_of(json_object_get(written, "unit"), "es"), "grados");
+    assert_true(json_real_value(json_object_get(written, "worst")) == 3);
+    const json_t *mark = json_array_get(json_object_get(json, "marks"), 0);
+    assert_string_equal(text_of(mark, "element"), "face");
+    assert_vertices(mark, 5, house_corners);
+    assert_string_equal(
+        text_of(json_object_get(json_object_get(json, "mark_names"), "wrong"), "en"), "worst");
+    json_decref(json);
+    set_house(&scene); /* another mesh has no values */
+    assert_null(scene.values.numbers);
+    scene_release(&scene);
+}
+
+static void values_of_vertices_name_the_worst(void **state)
+{
+    (void)state;
+    const float values[HOUSE_VERTICES] = {0, 1, 2, INFINITY, 4, 5};
+    const struct phrase none = {NULL, NULL};
+    const int64_t worst[] = {5, 3, -1, 6, INT64_MAX};
+    for (size_t i = 0; i < sizeof worst / sizeof *worst; i++) {
+        struct scene scene = {0};
+        set_house(&scene);
+        assert_int_equal(
+            scene_set_values(&scene, SCENE_PER_VERTEX, values, 2, 2, none, worst[i], NULL), 0);
+        json_t *json = scene_to_json(&scene);
+        const json_t *told = json_object_get(json_object_get(json, "values"), "worst");
+        assert_int_equal(told != NULL, worst[i] == 5);
+        assert_int_equal(scene.mark_count[MARK_WRONG], i < 2);
+        json_decref(json);
+        scene_release(&scene);
+    }
+}
+
+static void parts_and_vectors_are_written(void **state)
+{
+    (void)state;
+    const int32_t groups[] = {7, -1};
+    const float vectors[3 * HOUSE_VERTICES] = {0, 0, 1, NAN, 0, 0};
+    struct scene scene = {0};
+    assert_int_equal(scene_set_groups(&scene, groups, NULL), -1);
+    assert_int_equal(scene_add_vectors(&scene, MARK_WRONG, vectors, NULL), -1);
+    set_house(&scene);
+    assert_int_equal(scene_set_groups(&scene, groups, NULL), 0);
+    assert_int_equal(scene_set_groups(&scene, groups, NULL), 0);
+    for (int i = 0; i < SCENE_VECTORS_LIMIT; i++)
+        assert_int_equal(scene_add_vectors(&scene, MARK_RIGHT, vectors, NULL), 0);
+    assert_int_equal(scene_add_vectors(&scene, MARK_RIGHT, vectors, NULL), -1);
+    json_t *json = scene_to_json(&scene);
+    assert_string_equal(text_of(json, "groups"), "AQEB/w==");
+    const json_t *sets = json_object_get(json, "vectors");
+    assert_int_equal(json_array_size(sets), SCENE_VECTORS_LIMIT);
+    assert_string_equal(text_of(json_array_get(sets, 1), "kind"), "right");
+    assert_int_equal(strlen(text_of(json_array_get(sets, 1), "xyz")),
+                     3 * HOUSE_VERTICES * 4 / 3 * 4);
+    json_decref(json);
+    scene_release(&scene);
+}
+
+static void the_answer_is_a_scene_beside(void **state)
+{
+    (void)state;
+    const float wild[] = {0, 0, 0, 1, 0, 0, 0, 1, NAN};
+    const int32_t triangles[] = {0, 1, 2, 0, 1, 3};
+    struct scene scene = {0};
+    assert_int_equal(scene_set_answer_mesh(&scene, wild, 3, triangles, 2, NULL), 0);
+    set_house(&scene);
+    struct scene *answer = scene_answer(&scene, NULL);
+    assert_non_null(answer);
+    scene_mark_triangle(answer, MARK_EXTRA, 0, 1, 2);
+    scene_mark_vertex(&scene, MARK_MISSING, 5);
+    scene_name_marks(answer, MARK_EXTRA, (struct phrase){"new", "nuevo"});
+    json_t *json = scene_to_json(&scene);
+    assert_string_equal(text_of(json, "kind"), "mesh");
+    const json_t *written = json_object_get(json, "answer");
+    assert_int_equal(number_of(json_object_get(written, "mesh"), "triangle_count"), 1);
+    assert_int_equal(number_of(json_object_get(json, "mesh"), "triangle_count"), 4);
+    assert_int_equal(json_array_size(json_object_get(written, "marks")), 1);
+    assert_int_equal(number_of(json_object_get(written, "mark_counts"), "extra"), 1);
+    assert_null(json_object_get(json_object_get(json, "mark_counts"), "extra"));
+    json_decref(json);
+    scene_release(&scene);
+    assert_null(scene.answer);
+}
+
+static void an_answer_without_a_mesh_is_written_as_empty(void **state)
+{
+    (void)state;
+    struct scene scene = {0};
+    assert_int_equal(scene_set_answer_mesh(&scene, NULL, 0, NULL, 0, NULL), 0);
+    assert_int_equal(
+        scene_set_values(scene.answer, SCENE_PER_VERTEX, NULL, 0, 1, (struct phrase){0}, -1, NULL),
+        0);
+    json_t *json = scene_to_json(&scene);
+    const json_t *written = json_object_get(json_object_get(json, "answer"), "mesh");
+    assert_int_equal(number_of(written, "vertex_count"), 0);
+    json_decref(json);
+    scene_release(&scene);
 }
 
 int main(void)
@@ -370,6 +507,11 @@ int main(void)
         cmocka_unit_test(polygons_are_written_beside_their_triangles),
         cmocka_unit_test(bad_polygons_are_refused_and_shown_as_far_as_they_go),
         cmocka_unit_test(big_polygon_meshes_are_cut_to_whole_faces),
+        cmocka_unit_test(values_of_polygons_become_those_of_their_triangles),
+        cmocka_unit_test(values_of_vertices_name_the_worst),
+        cmocka_unit_test(parts_and_vectors_are_written),
+        cmocka_unit_test(the_answer_is_a_scene_beside),
+        cmocka_unit_test(an_answer_without_a_mesh_is_written_as_empty),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

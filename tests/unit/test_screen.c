@@ -66,8 +66,8 @@ static void expect_by(const struct screen_rules *by, const char *source, const c
     assert_string_equal(screen.refusal.cause, cause);
     assert_int_equal(screen.refusal.refused, cause[0] != '\0');
     if (named) {
-        assert_non_null(strstr(screen.refusal.message, named));
-        assert_non_null(strstr(screen.refusal.message_es, named));
+        assert_non_null(strstr(screen.refusal.message.en, named));
+        assert_non_null(strstr(screen.refusal.message.es, named));
     }
     screen_release(&screen);
     free(object.at);

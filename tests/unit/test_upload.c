@@ -234,6 +234,36 @@ static void wrong_paths_are_errors(void **state)
     upload_list_release(&list);
 }
 
+static void refuses_a_name_for_what_is_wrong_with_it(const char *name, const char *why,
+                                                     const char *why_es)
+{
+    struct upload upload;
+    struct error err = {""};
+    const char *path = upload_scene_path(name);
+    upload_scene_put(name, "int a;");
+    assert_int_equal(upload_read_files(&path, 1, "mesh-area", &upload, &err), 0);
+    assert_int_equal(upload.refusal.refused, why != NULL);
+    if (why) {
+        assert_string_equal(upload.refusal.cause, "file-name");
+        assert_non_null(strstr(upload.refusal.message.en, why));
+        assert_non_null(strstr(upload.refusal.message.es, why_es));
+    }
+    upload_release(&upload);
+}
+
+static void names_that_are_refused(void **state)
+{
+    char name[UPLOAD_NAME_BYTES + 2];
+    (void)state;
+    memset(name, 'a', sizeof name);
+    memcpy(name + UPLOAD_NAME_BYTES - 2, ".c", 3);
+    refuses_a_name_for_what_is_wrong_with_it(name, NULL, NULL);
+    memcpy(name + UPLOAD_NAME_BYTES - 2, "a.c", 4);
+    refuses_a_name_for_what_is_wrong_with_it(name, "too long: it has 64 characters, at most 63",
+                                             "demasiado largo: tiene 64 caracteres");
+    refuses_a_name_for_what_is_wrong_with_it("mesh area.c", "use letters", "use solo letras");
+}
+
 /* ---------------------------------------------------------------- refusals */
 
 static void refusals_stay_with_their_student(void **state)
@@ -453,6 +483,7 @@ int main(void)
         TEST(single_files_are_read),
         TEST(the_order_is_always_the_same),
         TEST(wrong_paths_are_errors),
+        TEST(names_that_are_refused),
         TEST(refusals_stay_with_their_student),
         TEST(what_cannot_be_read_stays_with_its_student),
         TEST(odd_paths_stay_with_their_student),

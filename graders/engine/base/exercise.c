@@ -14,16 +14,17 @@
 enum { FILE_LIMIT_BYTES = 1 << 20 };
 
 static const struct {
-    const char *name, *english, *spanish;
+    const char *name;
+    struct phrase title;
 } checks[CHECK_COUNT] = {
-    [CHECK_UNDEFINED_BEHAVIOUR] = {"undefined-behaviour", "No undefined behaviour",
-                                   "Sin comportamiento indefinido"},
-    [CHECK_LEAK] = {"leak", "Frees what it allocates", "Libera lo que reserva"},
-    [CHECK_GROWTH] = {"growth", "Growth of the work", "Crecimiento del trabajo"},
-    [CHECK_WORK] = {"work", "Amount of work", "Cantidad de trabajo"},
-    [CHECK_MEMORY] = {"memory", "Peak of memory", "Máximo de memoria"},
-    [CHECK_ALLOCATION_FAILURE] = {"allocation-failure", "Reports that memory ran out",
-                                  "Avisa si falta memoria"},
+    [CHECK_UNDEFINED_BEHAVIOUR] = {"undefined-behaviour",
+                                   {"No undefined behaviour", "Sin comportamiento indefinido"}},
+    [CHECK_LEAK] = {"leak", {"Frees what it allocates", "Libera lo que reserva"}},
+    [CHECK_GROWTH] = {"growth", {"Growth of the work", "Crecimiento del trabajo"}},
+    [CHECK_WORK] = {"work", {"Amount of work", "Cantidad de trabajo"}},
+    [CHECK_MEMORY] = {"memory", {"Peak of memory", "Máximo de memoria"}},
+    [CHECK_ALLOCATION_FAILURE] = {"allocation-failure",
+                                  {"Reports that memory ran out", "Avisa si falta memoria"}},
 };
 
 const char *check_name(enum check_kind check)
@@ -31,14 +32,9 @@ const char *check_name(enum check_kind check)
     return checks[check].name;
 }
 
-const char *check_title_english(enum check_kind check)
+struct phrase check_title(enum check_kind check)
 {
-    return checks[check].english;
-}
-
-const char *check_title_spanish(enum check_kind check)
-{
-    return checks[check].spanish;
+    return checks[check].title;
 }
 
 /* ------------------------------------------------------------ typed access */
@@ -174,11 +170,11 @@ static json_t *read_check(struct place *place, const json_t *root, struct exerci
 static void read_checks(struct place *place, const json_t *root, struct exercise *exercise)
 {
     json_t *growth = read_check(place, root, exercise, CHECK_GROWTH,
-                                " points allowed element first_size doublings ");
+                                " points allowed elements first_size doublings ");
     if (growth) {
         get_text(place, growth, "allowed", exercise->growth_allowed,
                  sizeof exercise->growth_allowed);
-        get_phrase(place, growth, "element", &exercise->growth_element);
+        get_phrase(place, growth, "elements", &exercise->growth_elements);
         exercise->growth_first_size = (int64_t)get_number(place, growth, "first_size", 1, 1e6);
         exercise->growth_doublings = (int)get_number(place, growth, "doublings", 4, 12);
     }
@@ -307,8 +303,10 @@ int exercises_read(const char *root, struct exercise **exercises, int *count, st
             result = add_group(&shelf, group, err);
     }
     free(groups);
-    if (result == 0 && shelf.count == 0)
-        result = error_set(err, "%s: no exercise found (GROUP/NAME/exercise.json)", folder);
+    if (result == 0 && !shelf.list) {
+        error_set(err, "%s: no exercise found (GROUP/NAME/exercise.json)", folder);
+        result = -1;
+    }
     if (result == 0) {
         qsort(shelf.list, (size_t)shelf.count, sizeof *shelf.list, by_order);
         *exercises = shelf.list;

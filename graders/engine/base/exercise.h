@@ -39,8 +39,8 @@ struct exercise {
     int class_count;
     bool checked[CHECK_COUNT];
     double check_points[CHECK_COUNT];
-    char growth_allowed[16];       /* "n lg n" */
-    struct message growth_element; /* "triangle" */
+    char growth_allowed[16];        /* "n lg n" */
+    struct message growth_elements; /* what its sizes count: "triangles" */
     int64_t growth_first_size;
     int growth_doublings;          /* sizes: first, 2 first, ... 2^doublings first */
     double work_band, memory_band; /* multiples of the reference */
@@ -51,8 +51,7 @@ struct exercise {
 
 /* "growth", "undefined-behaviour", ... */
 const char *check_name(enum check_kind check);
-const char *check_title_english(enum check_kind check);
-const char *check_title_spanish(enum check_kind check);
+struct phrase check_title(enum check_kind check);
 
 /* Reads <folder>/exercise.json. Returns 0, or -1 and *err that names file, key and remedy. */
 int exercise_read(const char *folder, struct exercise *exercise, struct error *err) MUST_CHECK;

@@ -206,7 +206,7 @@ const char *project_root(struct error *err)
         if (is_root(found))
             return strcpy(root, found);
     }
-    error_set(err, "meshgrade: exercises/ and graders/ are not above the program; set "
+    error_set(err, "exercises/ and graders/ are not above the program; set "
                    "MESHGRADE_ROOT to the project's folder");
     return NULL;
 }

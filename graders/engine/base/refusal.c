@@ -5,21 +5,30 @@
 #include <stdio.h>
 #include <string.h>
 
-int refuse(struct refusal *refusal, const char *cause, const char *english, const char *spanish,
-           ...)
+void refusal_rename(struct refusal *refusal, const struct cause *cause)
+{
+    snprintf(refusal->cause, sizeof refusal->cause, "%s", cause->slug);
+    refusal->cause_name = cause->name;
+}
+
+int refuse_saying(struct refusal *refusal, const struct cause *cause, const struct message *message)
 {
     if (refusal->refused)
         return -1;
     refusal->refused = true;
-    snprintf(refusal->cause, sizeof refusal->cause, "%s", cause);
-    va_list arguments;
-    va_start(arguments, spanish);
-    vsnprintf(refusal->message, sizeof refusal->message, english, arguments);
-    va_end(arguments);
-    va_start(arguments, spanish);
-    vsnprintf(refusal->message_es, sizeof refusal->message_es, spanish, arguments);
-    va_end(arguments);
+    refusal_rename(refusal, cause);
+    refusal->message = *message;
     return -1;
+}
+
+int refuse(struct refusal *refusal, const struct cause *cause, const char *en, const char *es, ...)
+{
+    struct message message;
+    va_list arguments;
+    va_start(arguments, es);
+    message_say_list(&message, en, es, arguments);
+    va_end(arguments);
+    return refuse_saying(refusal, cause, &message);
 }
 
 const char *refusal_name(char out[REFUSAL_NAME], const char *bytes, size_t count)

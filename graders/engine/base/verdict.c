@@ -4,31 +4,58 @@
 #include <string.h>
 
 static const struct {
-    const char *name, *english, *spanish;
+    const char *name;
+    struct phrase words;
+    enum standing standing;
 } verdicts[VERDICT_COUNT] = {
-    [VERDICT_FAULT] = {"fault", "fault of the grader", "fallo del corrector"},
-    [VERDICT_FLAGGED] = {"flagged", "held for review", "pendiente de revisión"},
-    [VERDICT_COMPILE_ERROR] = {"compile-error", "does not compile", "no compila"},
-    [VERDICT_FORBIDDEN_OPERATION] = {"forbidden-operation", "forbidden operation",
-                                     "operación prohibida"},
-    [VERDICT_OUT_OF_MEMORY] = {"out-of-memory", "out of memory", "memoria agotada"},
-    [VERDICT_TOO_MANY_PROCESSES] = {"too-many-processes", "starts processes", "crea procesos"},
-    [VERDICT_TOO_MUCH_OUTPUT] = {"too-much-output", "prints too much", "imprime demasiado"},
-    [VERDICT_TOO_MUCH_DISK] = {"too-much-disk", "writes too much", "escribe demasiado"},
-    [VERDICT_CPU_TIME] = {"cpu-time", "does not end in time", "no termina a tiempo"},
-    [VERDICT_IDLE_TIME] = {"idle-time", "waits for ever", "espera sin fin"},
-    [VERDICT_CRASH] = {"crash", "crashes", "se interrumpe"},
-    [VERDICT_UNDEFINED_BEHAVIOUR] = {"undefined-behaviour", "undefined behaviour",
-                                     "comportamiento indefinido"},
-    [VERDICT_WRONG_ANSWER] = {"wrong-answer", "wrong answer", "respuesta incorrecta"},
-    [VERDICT_LEAK] = {"leak", "leaks memory", "pierde memoria"},
-    [VERDICT_GROWS_TOO_FAST] = {"grows-too-fast", "work grows too fast",
-                                "el trabajo crece demasiado"},
-    [VERDICT_TOO_MUCH_WORK] = {"too-much-work", "too much work", "demasiado trabajo"},
-    [VERDICT_TOO_MUCH_MEMORY] = {"too-much-memory", "too much memory", "demasiada memoria"},
-    [VERDICT_PASSED] = {"passed", "passed", "superado"},
-    [VERDICT_NOT_MEASURED] = {"not-measured", "not measured", "no medido"},
-    [VERDICT_NOT_REACHED] = {"not-reached", "not reached", "no alcanzado"},
+    [VERDICT_FAULT] = {"fault", {"fault of the grader", "fallo del corrector"}, STANDING_UNSCORED},
+    [VERDICT_FLAGGED] = {"flagged",
+                         {"held for a person", "pendiente de revisión"},
+                         STANDING_UNSCORED},
+    [VERDICT_COMPILE_ERROR] = {"compile-error",
+                               {"does not compile", "no compila"},
+                               STANDING_FAILED},
+    [VERDICT_FORBIDDEN_OPERATION] = {"forbidden-operation",
+                                     {"forbidden operation", "operación prohibida"},
+                                     STANDING_FAILED},
+    [VERDICT_OUT_OF_MEMORY] = {"out-of-memory",
+                               {"out of memory", "memoria agotada"},
+                               STANDING_FAILED},
+    [VERDICT_TOO_MANY_PROCESSES] = {"too-many-processes",
+                                    {"too many processes", "demasiados procesos"},
+                                    STANDING_FAILED},
+    [VERDICT_TOO_MUCH_OUTPUT] = {"too-much-output",
+                                 {"too much output", "demasiada salida"},
+                                 STANDING_FAILED},
+    [VERDICT_TOO_MUCH_DISK] = {"too-much-disk",
+                               {"too much disk", "demasiado disco"},
+                               STANDING_FAILED},
+    [VERDICT_CPU_TIME] = {"cpu-time",
+                          {"CPU time limit", "límite de tiempo de CPU"},
+                          STANDING_FAILED},
+    [VERDICT_IDLE_TIME] = {"idle-time",
+                           {"idle time limit", "límite de tiempo de espera"},
+                           STANDING_FAILED},
+    [VERDICT_CRASH] = {"crash", {"crash", "el programa se rompió"}, STANDING_FAILED},
+    [VERDICT_UNDEFINED_BEHAVIOUR] = {"undefined-behaviour",
+                                     {"undefined behaviour", "comportamiento indefinido"},
+                                     STANDING_FAILED},
+    [VERDICT_WRONG_ANSWER] = {"wrong-answer",
+                              {"wrong answer", "respuesta incorrecta"},
+                              STANDING_FAILED},
+    [VERDICT_LEAK] = {"leak", {"memory leak", "fuga de memoria"}, STANDING_FAILED},
+    [VERDICT_GROWS_TOO_FAST] = {"grows-too-fast",
+                                {"grows too fast", "crece demasiado"},
+                                STANDING_FAILED},
+    [VERDICT_TOO_MUCH_WORK] = {"too-much-work",
+                               {"too much work", "demasiado trabajo"},
+                               STANDING_FAILED},
+    [VERDICT_TOO_MUCH_MEMORY] = {"too-much-memory",
+                                 {"too much memory", "demasiada memoria"},
+                                 STANDING_FAILED},
+    [VERDICT_PASSED] = {"passed", {"passed", "superado"}, STANDING_PASSED},
+    [VERDICT_NOT_MEASURED] = {"not-measured", {"not measured", "no medido"}, STANDING_ABSENT},
+    [VERDICT_NOT_REACHED] = {"not-reached", {"not reached", "no se llegó"}, STANDING_ABSENT},
 };
 
 const char *verdict_name(enum verdict verdict)
@@ -44,17 +71,12 @@ enum verdict verdict_of_name(const char *name)
     return (enum verdict)verdict;
 }
 
-const char *verdict_english(enum verdict verdict)
+struct phrase verdict_words(enum verdict verdict)
 {
-    return verdicts[verdict].english;
+    return verdicts[verdict].words;
 }
 
-const char *verdict_spanish(enum verdict verdict)
+enum standing verdict_standing(enum verdict verdict)
 {
-    return verdicts[verdict].spanish;
-}
-
-enum verdict verdict_worse(enum verdict a, enum verdict b)
-{
-    return a < b ? a : b;
+    return verdicts[verdict].standing;
 }

@@ -2,6 +2,8 @@
 #ifndef GRADERS_ENGINE_BASE_VERDICT_H
 #define GRADERS_ENGINE_BASE_VERDICT_H
 
+#include "reference/base/phrase.h"
+
 /* In order of precedence: of several that hold, the first one is the verdict. */
 enum verdict {
     VERDICT_FAULT,   /* the harness failed; never scored */
@@ -34,10 +36,17 @@ const char *verdict_name(enum verdict verdict);
 enum verdict verdict_of_name(const char *name);
 
 /* The verdict in a few words, for headings: "wrong answer", "respuesta incorrecta". */
-const char *verdict_english(enum verdict verdict);
-const char *verdict_spanish(enum verdict verdict);
+struct phrase verdict_words(enum verdict verdict);
 
-/* The one that takes precedence. */
-enum verdict verdict_worse(enum verdict a, enum verdict b);
+/* What sort of verdict it is, for its colour and symbol. */
+enum standing {
+    STANDING_PASSED,
+    STANDING_PARTIAL, /* never a verdict's: some points were given and some lost */
+    STANDING_FAILED,
+    STANDING_UNSCORED, /* fault or flagged: a person must look */
+    STANDING_ABSENT    /* nothing submitted, not measured, not reached */
+};
+enum { STANDING_COUNT = STANDING_ABSENT + 1 };
+enum standing verdict_standing(enum verdict verdict);
 
 #endif

@@ -16,6 +16,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+static const struct cause compiler_memory = {"compiler-memory",
+                                             {"memory of the compiler", "memoria del compilador"}};
+static const struct cause compiler_time = {"compiler-time",
+                                           {"time of the compiler", "tiempo del compilador"}};
+static const struct cause compiler_output = {"compiler-output",
+                                             {"output of the compiler", "salida del compilador"}};
+static const struct cause link_failed = {"link", {"does not link", "no se enlaza"}};
+static const struct cause syntax = {"syntax", {"syntax", "sintaxis"}};
+
 enum {
     CPU_SECONDS = 15,
     WALL_MS = 300000, /* a compiler waits for nothing but the machine: beyond it, a fault */
@@ -229,21 +238,21 @@ static int judge_outcome(struct build *build, const struct box_outcome *outcome,
     if (find_fault(build, outcome, err) != 0)
         return -1;
     if (outcome->end == BOX_ENDED_MEMORY)
-        refuse(refusal, "compiler-memory", "The compiler needed more than %d GB of memory.",
+        refuse(refusal, &compiler_memory, "The compiler needed more than %d GB of memory.",
                "El compilador necesitó más de %d GB de memoria.", MEMORY_LIMIT_BYTES >> 30);
     else if (outcome->end == BOX_ENDED_CPU || outcome->cpu_ns > (CPU_SECONDS - 1) * 1000000000LL)
-        refuse(refusal, "compiler-time", "The compiler did not end within %d seconds.",
+        refuse(refusal, &compiler_time, "The compiler did not end within %d seconds.",
                "El compilador no terminó en %d segundos.", CPU_SECONDS);
     else if (outcome->end == BOX_ENDED_OUTPUT ||
              strstr(build->diagnostics, "File size limit exceeded"))
-        refuse(refusal, "compiler-output", "The compiler would write more than %d MB.",
+        refuse(refusal, &compiler_output, "The compiler would write more than %d MB.",
                "El compilador escribiría más de %d MB.", FILE_LIMIT_BYTES >> 20);
     else if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == STAGE_LINK)
-        refuse(refusal, "link",
+        refuse(refusal, &link_failed,
                "It compiles but cannot be linked: see the messages of the linker (%s).",
                "Compila pero no se puede enlazar: vea los mensajes del enlazador (%s).", "ld");
     else
-        refuse(refusal, "syntax", "It does not compile: see the messages of the compiler (%s).",
+        refuse(refusal, &syntax, "It does not compile: see the messages of the compiler (%s).",
                "No compila: vea los mensajes del compilador (%s).", "gcc");
     return 0;
 }

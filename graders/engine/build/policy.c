@@ -7,6 +7,18 @@
 #include <stdio.h>
 #include <string.h>
 
+static const struct cause forbidden_include = {"forbidden-include",
+                                               {"forbidden include", "inclusión no permitida"}};
+static const struct cause forbidden_line = {"forbidden-line",
+                                            {"forbidden #line", "#line no permitido"}};
+static const struct cause forbidden_pragma = {"forbidden-pragma",
+                                              {"forbidden pragma", "pragma no permitido"}};
+static const struct cause forbidden_attribute = {"forbidden-attribute",
+                                                 {"forbidden attribute", "atributo no permitido"}};
+static const struct cause raw_string = {"raw-string", {"raw string", "cadena en bruto"}};
+static const struct cause inline_assembly = {"inline-assembly",
+                                             {"inline assembly", "ensamblador en línea"}};
+
 struct slice {
     const char *at;
     size_t count;
@@ -108,22 +120,20 @@ static struct slice without_underscores(struct slice name)
 
 /* ---------------------------------------------------------------- refusals */
 
-static void refuse_here(struct reader *r, const char *cause, struct slice what, const char *english,
-                        const char *spanish)
+static void refuse_here(struct reader *r, const struct cause *cause, struct slice what,
+                        const char *en, const char *es)
 {
     struct policy *p = r->policy;
-    struct refusal *refusal = &p->refusal;
-    char named[REFUSAL_NAME], where[2 * REFUSAL_NAME + 32];
-    if (refusal->refused)
+    char named[REFUSAL_NAME];
+    struct message message;
+    if (p->refusal.refused)
         return;
     refusal_name(p->file, r->file.at, r->file.count);
     p->line = r->line;
-    snprintf(where, sizeof where, "%s:%d: `%s`", p->file, p->line,
-             refusal_name(named, what.at, what.count));
-    refusal->refused = true;
-    snprintf(refusal->cause, sizeof refusal->cause, "%s", cause);
-    snprintf(refusal->message, sizeof refusal->message, "%s: %s", where, english);
-    snprintf(refusal->message_es, sizeof refusal->message_es, "%s: %s", where, spanish);
+    message_say(&message, "%s:%d: `%s`: ", "%s:%d: `%s`: ", p->file, p->line,
+                refusal_name(named, what.at, what.count));
+    message_add_phrase(&message, (struct phrase){en, es});
+    refuse_saying(&p->refusal, cause, &message);
 }
 
 /* ---------------------------------------------------------------- lines that begin with # */
@@ -185,7 +195,7 @@ static void check_included(struct reader *r, struct slice name, bool is_system)
                        ? is_in_system_folder(name)
                        : is_below(name, public_folder) || is_below(name, folder_of(r->main_file));
     if (has_parent_step(name) || (is_absolute && !is_ours))
-        refuse_here(r, "forbidden-include", name,
+        refuse_here(r, &forbidden_include, name,
                     "files may not be included by an absolute path or from a parent folder.",
                     "no se pueden incluir archivos por ruta absoluta ni de una carpeta superior.");
 }
@@ -221,7 +231,7 @@ static void follow_marker(struct reader *r, struct slice line)
         (name.count == r->main_file.count && memcmp(name.at, r->main_file.at, name.count) == 0) ||
         (r->file.at && name.count == r->file.count && memcmp(name.at, r->file.at, name.count) == 0);
     if (!enters && !returns && !is_known)
-        refuse_here(r, "forbidden-line", name, "#line may not rename the file.",
+        refuse_here(r, &forbidden_line, name, "#line may not rename the file.",
                     "#line no puede cambiar el nombre del archivo.");
     if (enters)
         check_included(r, name, is_system);
@@ -239,7 +249,7 @@ static void check_pragma(struct reader *r, struct slice line)
         struct slice found = {line.at, length};
         if (r->is_system && is_listed(found, system_pragmas))
             return;
-        refuse_here(r, "forbidden-pragma", found,
+        refuse_here(r, &forbidden_pragma, found,
                     "this pragma is not allowed; all are compiled with the same options.",
                     "este pragma no está permitido; todos se compilan con las mismas opciones.");
     }
@@ -325,7 +335,7 @@ static void check_attribute(struct reader *r, struct slice name)
     if (r->is_system && is_listed(bare, system_attributes))
         return;
     if (is_listed(bare, forbidden_attributes) || begins(bare, "no_sanitize"))
-        refuse_here(r, "forbidden-attribute", name, "this attribute is not allowed.",
+        refuse_here(r, &forbidden_attribute, name, "this attribute is not allowed.",
                     "este atributo no está permitido.");
 }
 
@@ -410,13 +420,13 @@ void policy_check(const char *text, size_t bytes, const char *public_folder, str
         if (token.kind != TOKEN_NAME)
             continue;
         if (r.at < r.end && *r.at == '"' && token.text.at[token.text.count - 1] == 'R')
-            refuse_here(&r, "raw-string", token.text, "raw strings are not allowed.",
+            refuse_here(&r, &raw_string, token.text, "raw strings are not allowed.",
                         "no se permiten cadenas en bruto (raw strings).");
         if (!is_listed(token.text, assembly_words))
             continue;
         struct reader here = r;
         if (!r.is_system || !is_system_assembly(&r, braces == 0 && is_punctuation(before, ')')))
-            refuse_here(&here, "inline-assembly", token.text, "inline assembly is not allowed.",
+            refuse_here(&here, &inline_assembly, token.text, "inline assembly is not allowed.",
                         "no se permite ensamblador en línea.");
     }
 }

@@ -9,6 +9,29 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const struct cause object_malformed = {
+    "object-malformed", {"malformed object file", "archivo objeto incorrecto"}};
+static const struct cause tool_request = {"tool-request",
+                                          {"request to a tool", "petición a una herramienta"}};
+static const struct cause system_call_instruction = {
+    "system-call-instruction", {"direct system call", "llamada directa al sistema"}};
+static const struct cause executable_stack = {"executable-stack",
+                                              {"executable stack", "pila ejecutable"}};
+static const struct cause constructor = {"constructor", {"constructor", "constructor"}};
+static const struct cause forbidden_section = {"forbidden-section",
+                                               {"forbidden section", "sección no permitida"}};
+static const struct cause static_data = {"static-data", {"static data", "datos estáticos"}};
+static const struct cause forbidden_symbol = {"forbidden-symbol",
+                                              {"forbidden symbol", "símbolo no permitido"}};
+static const struct cause sanitizer_symbol = {"sanitizer-symbol",
+                                              {"symbol of a tool", "símbolo de una herramienta"}};
+static const struct cause indirect_function = {"indirect-function",
+                                               {"indirect function", "función indirecta"}};
+static const struct cause missing_function = {"missing-function",
+                                              {"missing function", "falta la función"}};
+static const struct cause not_a_function = {"not-a-function",
+                                            {"not a function", "no es una función"}};
+
 enum { NAME_BYTES_MAX = 4096 };
 
 /* What is being screened. */
@@ -152,7 +175,7 @@ static bool begins_as_listed(const char *name, const char *const *list)
 
 static int refuse_malformed(struct object *o, const char *what)
 {
-    return refuse(&o->screen->refusal, "object-malformed",
+    return refuse(&o->screen->refusal, &object_malformed,
                   "The compiled file is not a proper object file (%s).",
                   "El archivo compilado no es un archivo objeto correcto (%s).", what);
 }
@@ -214,14 +237,14 @@ static int check_requests(const void *bytes, size_t count, struct refusal *refus
 {
     if (!memmem(bytes, count, request_preamble, sizeof request_preamble))
         return 0;
-    return refuse(refusal, "tool-request",
+    return refuse(refusal, &tool_request,
                   "The code speaks to valgrind, which measures it; that is not allowed.",
                   "El código habla con valgrind, que lo mide; no está permitido.");
 }
 
 static int refuse_kernel_entry(struct object *o, const char *section)
 {
-    return refuse(&o->screen->refusal, "system-call-instruction",
+    return refuse(&o->screen->refusal, &system_call_instruction,
                   "The code in section %s calls the operating system directly.",
                   "El código de la sección %s llama directamente al sistema operativo.",
                   shown(o, section));
@@ -253,7 +276,7 @@ static int check_stack_note(struct object *o, const Elf64_Shdr *section)
     o->has_stack_note = true;
     if (!(section->sh_flags & SHF_EXECINSTR))
         return 0;
-    return refuse(&o->screen->refusal, "executable-stack",
+    return refuse(&o->screen->refusal, &executable_stack,
                   "The code needs an executable stack (a pointer to a nested function?); write the "
                   "inner function outside.",
                   "El código necesita una pila ejecutable (¿un puntero a una función anidada?); "
@@ -283,14 +306,14 @@ static bool type_fits(const char *name, const Elf64_Shdr *section)
 static int refuse_section(struct object *o, const char *name)
 {
     if (begins_as_listed(name, constructor_prefixes))
-        return refuse(&o->screen->refusal, "constructor",
+        return refuse(&o->screen->refusal, &constructor,
                       "Section %s holds code that runs before or after main (a constructor or "
                       "destructor); only the exercise's functions may run.",
                       "La sección %s contiene código que se ejecuta antes o después de main (un "
                       "constructor o destructor); solo pueden ejecutarse las funciones del "
                       "ejercicio.",
                       shown(o, name));
-    return refuse(&o->screen->refusal, "forbidden-section",
+    return refuse(&o->screen->refusal, &forbidden_section,
                   "The code makes a section %s; only the compiler's usual sections are allowed.",
                   "El código crea una sección %s; solo se permiten las habituales del compilador.",
                   shown(o, name));
@@ -307,7 +330,7 @@ static int count_static_data(struct object *o, uint64_t bytes, bool is_writable)
         o->screen->static_bytes += (int64_t)bytes;
     if (o->all_static_bytes <= limit)
         return 0;
-    return refuse(&o->screen->refusal, "static-data",
+    return refuse(&o->screen->refusal, &static_data,
                   "Static variables and constants take %lld bytes; the limit is %lld.",
                   "Las variables estáticas y constantes ocupan %lld bytes; el límite es %lld.",
                   (long long)o->all_static_bytes, (long long)limit);
@@ -372,7 +395,7 @@ static int check_sections(struct object *o)
     if (!o->has_symbols)
         return refuse_malformed(o, "it has no symbol table");
     if (!o->has_stack_note && !o->rules->sanitized)
-        return refuse(&o->screen->refusal, "executable-stack",
+        return refuse(&o->screen->refusal, &executable_stack,
                       "The object file does not say that its stack is not executable.",
                       "El archivo objeto no declara que su pila no es ejecutable.");
     return 0;
@@ -383,13 +406,13 @@ static int check_sections(struct object *o)
 static int check_undefined(struct object *o, const char *name)
 {
     if (is_listed(name, forbidden_symbols) || begins_as_listed(name, forbidden_symbol_prefixes))
-        return refuse(&o->screen->refusal, "forbidden-symbol",
+        return refuse(&o->screen->refusal, &forbidden_symbol,
                       "The code uses %s, which is not allowed here.",
                       "El código usa %s, que aquí no está permitido.", shown(o, name));
     bool is_made = o->rules->sanitized && (is_listed(name, made_by_sanitizers) ||
                                            begins_as_listed(name, made_by_sanitizers_prefixes));
     if (begins_as_listed(name, sanitizer_prefixes) && !is_made)
-        return refuse(&o->screen->refusal, "sanitizer-symbol",
+        return refuse(&o->screen->refusal, &sanitizer_symbol,
                       "The code uses %s, which belongs to the tools that check it.",
                       "El código usa %s, que pertenece a las herramientas que lo revisan.",
                       shown(o, name));
@@ -404,12 +427,12 @@ static int check_defined(struct object *o, const char *name, const Elf64_Sym *sy
     if (ELF64_ST_BIND(symbol->st_info) == STB_LOCAL)
         return 0;
     if (begins_as_listed(name, sanitizer_prefixes))
-        return refuse(&o->screen->refusal, "sanitizer-symbol",
+        return refuse(&o->screen->refusal, &sanitizer_symbol,
                       "The code defines %s, which belongs to the tools that check it.",
                       "El código define %s, que pertenece a las herramientas que lo revisan.",
                       shown(o, name));
     if (strncmp(name, "__wrap_", 7) == 0 || strncmp(name, "__real_", 7) == 0)
-        return refuse(&o->screen->refusal, "forbidden-symbol",
+        return refuse(&o->screen->refusal, &forbidden_symbol,
                       "The code defines %s, which is not allowed here.",
                       "El código define %s, que aquí no está permitido.", shown(o, name));
     if (ELF64_ST_TYPE(symbol->st_info) == STT_FUNC && !o->other_function &&
@@ -426,7 +449,7 @@ static int check_symbol(struct object *o, const Elf64_Sym *symbol)
         return refuse_malformed(o, "a symbol's name lies outside the file");
     if (ELF64_ST_TYPE(symbol->st_info) == STT_GNU_IFUNC ||
         ELF64_ST_BIND(symbol->st_info) == STB_GNU_UNIQUE)
-        return refuse(&o->screen->refusal, "indirect-function",
+        return refuse(&o->screen->refusal, &indirect_function,
                       "%s is an indirect function: its resolver would run before main.",
                       "%s es una función indirecta: su resolvedor se ejecutaría antes de "
                       "main.",
@@ -500,10 +523,10 @@ static bool is_in_code(const struct object *o, const Elf64_Sym *symbol)
 static int refuse_missing(struct object *o, const char *function)
 {
     if (!o->other_function)
-        return refuse(&o->screen->refusal, "missing-function",
+        return refuse(&o->screen->refusal, &missing_function,
                       "%s is not defined: did you rename it?",
                       "%s no está definida: ¿le cambió el nombre?", function);
-    return refuse(&o->screen->refusal, "missing-function",
+    return refuse(&o->screen->refusal, &missing_function,
                   "%s is not defined: did you rename it? The file defines %s.",
                   "%s no está definida: ¿le cambió el nombre? El archivo define %s.", function,
                   shown(o, o->other_function));
@@ -519,12 +542,12 @@ static int check_function(struct object *o, const char *function)
         if (!name || strcmp(name, function) != 0 || symbol.st_shndx == SHN_UNDEF)
             continue;
         if (ELF64_ST_BIND(symbol.st_info) == STB_LOCAL)
-            return refuse(&o->screen->refusal, "not-a-function",
+            return refuse(&o->screen->refusal, &not_a_function,
                           "%s is static: the grader cannot call it. Remove `static`.",
                           "%s es static: el corrector no puede llamarla. Quite `static`.",
                           function);
         if (ELF64_ST_TYPE(symbol.st_info) != STT_FUNC || !is_in_code(o, &symbol))
-            return refuse(&o->screen->refusal, "not-a-function",
+            return refuse(&o->screen->refusal, &not_a_function,
                           "%s is defined, but not as a function.",
                           "%s está definida, pero no como función.", function);
         return 0;

@@ -41,8 +41,8 @@ static json_t *growth_json(const struct trial *trial)
     for (int family = 0; family < trial->yardstick->family_count; family++)
         if (trial->families[family].size_count > 0)
             json_array_append_new(families, family_json(trial, family));
-    return json_pack("{s:s, s:{s:s, s:s}, s:o}", "allowed", exercise->growth_allowed, "element",
-                     "en", exercise->growth_element.en, "es", exercise->growth_element.es,
+    return json_pack("{s:s, s:{s:s, s:s}, s:o}", "allowed", exercise->growth_allowed, "elements",
+                     "en", exercise->growth_elements.en, "es", exercise->growth_elements.es,
                      "families", families);
 }
 

@@ -49,9 +49,15 @@ static json_t *text_json(const char *text)
     return json;
 }
 
-static json_t *phrase_json(const char *english, const char *spanish)
+static json_t *phrase_json(struct phrase phrase)
 {
-    return json_pack("{s:o, s:o}", "en", text_json(english), "es", text_json(spanish));
+    return json_pack("{s:o, s:o}", "en", text_json(phrase_text(phrase, LANGUAGE_EN)), "es",
+                     text_json(phrase_text(phrase, LANGUAGE_ES)));
+}
+
+static json_t *message_json(const struct message *message)
+{
+    return phrase_json(message_phrase(message));
 }
 
 static json_t *points_json(double points)
@@ -123,10 +129,11 @@ static void describe_scene(const struct trial *trial, size_t index, const char *
     const struct judge_case *c = &trial->yardstick->judge->cases[index];
     const struct exercise *exercise = trial->yardstick->exercise;
     const struct attempt *attempt = &trial->cases[index].attempt;
-    char title[MESSAGE_BYTES + EXERCISE_NAME];
-    snprintf(title, sizeof title, "%s: %s", exercise->title.en, c->name);
-    json_object_set_new(attempt->scene, "title", text_json(title));
-    json_object_set_new(attempt->scene, "subtitle", text_json(attempt->message));
+    struct message title;
+    message_set_phrase(&title, message_phrase(&exercise->title));
+    message_add(&title, ": %s", ": %s", c->name);
+    json_object_set_new(attempt->scene, "title", message_json(&title));
+    json_object_set_new(attempt->scene, "subtitle", message_json(&attempt->message));
     json_object_set_new(attempt->scene, "metadata",
                         json_pack("{s:s, s:s, s:s, s:s, s:s}", "exercise", exercise->name, "case",
                                   c->name, "verdict", verdict_name(attempt->verdict), "seed", seed,
@@ -153,13 +160,14 @@ static json_t *case_json(struct trial *trial, size_t index, const struct submitt
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)c->seed);
     snprintf(reproduce, sizeof reproduce, "meshgrade check %s FILE --case %s", exercise, c->name);
     write_seed_option(trial->yardstick, c, reproduce, sizeof reproduce);
-    json_t *json =
-        json_pack("{s:s, s:s, s:s, s:s, s:o, s:s, s:b, s:s}", "name", c->name, "class",
-                  c->class_name, "verdict", verdict_name(attempt->verdict), "cause", attempt->cause,
-                  "message", phrase_json(attempt->message, attempt->message_es), "seed", seed,
-                  "public", judge_case_is_public(c), "reproduce", reproduce);
-    if (rejected)
-        json_object_set_new(json, "element", text_json(attempt->element));
+    json_t *json = json_pack("{s:s, s:s, s:s, s:s, s:o, s:s, s:b, s:s}", "name", c->name, "class",
+                             c->class_name, "verdict", verdict_name(attempt->verdict), "cause",
+                             attempt->cause, "message", message_json(&attempt->message), "seed",
+                             seed, "public", judge_case_is_public(c), "reproduce", reproduce);
+    if (rejected) {
+        json_object_set_new(json, "cause_name", message_json(&attempt->cause_name));
+        json_object_set_new(json, "element", message_json(&attempt->element));
+    }
     if (rejected && attempt->scene) {
         snprintf(picture, sizeof picture, "pictures/%s/%s/%s.png", submitter->student_folder,
                  exercise, c->name);
@@ -185,8 +193,8 @@ static json_t *class_json(const struct trial *trial, const struct exercise_class
     double points = count > 0 && passed == count ? class->points : 0;
     *score += points;
     return json_pack("{s:s, s:o, s:o, s:o, s:i, s:i}", "name", class->name, "title",
-                     phrase_json(class->title.en, class->title.es), "points", points_json(points),
-                     "max_points", points_json(class->points), "passed", passed, "cases", count);
+                     message_json(&class->title), "points", points_json(points), "max_points",
+                     points_json(class->points), "passed", passed, "cases", count);
 }
 
 /* `check` looks at less than `grade`: what it leaves out neither gives nor costs points. */
@@ -217,77 +225,87 @@ static json_t *check_json(const struct trial *trial, enum check_kind check, doub
     const struct exercise *exercise = trial->yardstick->exercise;
     const struct check_result *result = &trial->checks[check];
     static const struct check_result withheld = {
-        VERDICT_NOT_REACHED, "basic-class", "No points before the first class of inputs passes.",
-        "Sin puntos mientras no pase la primera clase de entradas."};
+        VERDICT_NOT_REACHED,
+        "basic-class",
+        {"basic class", "clase básica"},
+        {"No points before the first class of inputs passes.",
+         "Sin puntos mientras no pase la primera clase de entradas."}};
     double points = check_counts(trial, check) ? exercise->check_points[check] : 0;
     *score += points;
     if (result->verdict == VERDICT_PASSED && !trial_basic_class_passed(trial))
         result = &withheld;
-    return json_pack("{s:s, s:o, s:o, s:o, s:s, s:s, s:o}", "name", check_name(check), "title",
-                     phrase_json(check_title_english(check), check_title_spanish(check)), "points",
-                     points_json(points), "max_points", points_json(exercise->check_points[check]),
-                     "verdict", verdict_name(result->verdict), "cause", result->cause, "message",
-                     phrase_json(result->message, result->message_es));
+    json_t *json = json_pack(
+        "{s:s, s:o, s:o, s:o, s:s, s:s, s:o}", "name", check_name(check), "title",
+        phrase_json(check_title(check)), "points", points_json(points), "max_points",
+        points_json(exercise->check_points[check]), "verdict", verdict_name(result->verdict),
+        "cause", result->cause, "message", message_json(&result->message));
+    if (result->cause[0])
+        json_object_set_new(json, "cause_name", message_json(&result->cause_name));
+    return json;
 }
 
 /* ------------------------------------------------------------------ verdict */
 
-/* The verdict with what explains it. */
+/* The verdict with what explains it, borrowed from the trial. */
 struct decision {
     enum verdict verdict;
-    const char *cause, *english, *spanish, *element, *case_name;
+    struct cause cause;
+    struct phrase message;
+    const char *case_name; /* NULL: of no case */
 };
 
-static void consider(struct decision *decision, enum verdict verdict, const char *cause,
-                     const char *english, const char *spanish)
+static void consider(struct decision *decision, enum verdict verdict, struct cause cause,
+                     const struct message *message, const char *case_name)
 {
-    if (verdict >= decision->verdict || verdict >= VERDICT_PASSED)
-        return;
-    *decision = (struct decision){verdict, cause, english, spanish, "", NULL};
+    if (verdict < decision->verdict && verdict < VERDICT_PASSED)
+        *decision = (struct decision){verdict, cause, message_phrase(message), case_name};
+}
+
+static struct cause refusal_cause(const struct refusal *refusal)
+{
+    return (struct cause){refusal->cause, refusal->cause_name};
+}
+
+static struct cause check_cause(const struct check_result *result)
+{
+    return (struct cause){result->cause, message_phrase(&result->cause_name)};
 }
 
 static struct decision decide(const struct trial *trial)
 {
     const struct judge *judge = trial->yardstick->judge;
-    struct decision decision = {VERDICT_PASSED, "", "", "", "", NULL};
+    struct decision decision = {VERDICT_PASSED, {"", {NULL, NULL}}, {NULL, NULL}, NULL};
     const struct refusal *refusal = &trial->build.refusal;
     if (refusal->refused) {
-        consider(&decision, VERDICT_COMPILE_ERROR, refusal->cause, refusal->message,
-                 refusal->message_es);
+        consider(&decision, VERDICT_COMPILE_ERROR, refusal_cause(refusal), &refusal->message, NULL);
         return decision;
     }
     for (size_t i = 0; i < judge->case_count; i++) {
         const struct attempt *attempt = &trial->cases[i].attempt;
-        if (!trial->cases[i].run || attempt->verdict >= decision.verdict)
-            continue;
-        consider(&decision, attempt->verdict, attempt->cause, attempt->message,
-                 attempt->message_es);
-        decision.element = attempt->element;
-        decision.case_name = judge->cases[i].name;
+        if (trial->cases[i].run)
+            consider(&decision, attempt->verdict, attempt_cause(attempt), &attempt->message,
+                     judge->cases[i].name);
     }
     for (int check = 0; check < CHECK_COUNT; check++) {
         const struct check_result *result = &trial->checks[check];
         if (check_is_in_scope(trial, (enum check_kind)check) && check != CHECK_ALLOCATION_FAILURE)
-            consider(&decision, result->verdict, result->cause, result->message,
-                     result->message_es);
+            consider(&decision, result->verdict, check_cause(result), &result->message, NULL);
     }
     const struct check_result *sweep = &trial->checks[CHECK_ALLOCATION_FAILURE];
     if (decision.verdict == VERDICT_PASSED && check_is_in_scope(trial, CHECK_ALLOCATION_FAILURE))
-        consider(&decision, sweep->verdict, sweep->cause, sweep->message, sweep->message_es);
+        consider(&decision, sweep->verdict, check_cause(sweep), &sweep->message, NULL);
     return decision;
 }
 
 static json_t *summary_json(const struct decision *decision)
 {
-    char english[900], spanish[900];
+    struct message summary;
     if (decision->verdict == VERDICT_PASSED)
-        return phrase_json("Passed.", "Superado.");
-    if (decision->case_name) {
-        snprintf(english, sizeof english, "%s (case %s)", decision->english, decision->case_name);
-        snprintf(spanish, sizeof spanish, "%s (caso %s)", decision->spanish, decision->case_name);
-        return phrase_json(english, spanish);
-    }
-    return phrase_json(decision->english, decision->spanish);
+        return phrase_json((struct phrase){"Passed.", "Superado."});
+    message_set_phrase(&summary, decision->message);
+    if (decision->case_name)
+        message_add(&summary, " (case %s)", " (caso %s)", decision->case_name);
+    return message_json(&summary);
 }
 
 /* ------------------------------------------------------------------- result */
@@ -295,13 +313,17 @@ static json_t *summary_json(const struct decision *decision)
 static json_t *header_json(const struct exercise *exercise, const struct submitter *submitter,
                            const struct decision *decision)
 {
-    return json_pack(
+    static const struct message untitled;
+    json_t *json = json_pack(
         "{s:s, s:s, s:s, s:s, s:s, s:o, s:s, s:s, s:s, s:o}", "schema", "meshgrade-result-1",
         "student", submitter->student, "student_folder", submitter->student_folder, "exercise",
         exercise ? exercise->name : "unknown", "group", exercise ? exercise->group : "", "title",
-        phrase_json(exercise ? exercise->title.en : "", exercise ? exercise->title.es : ""),
-        "problem", exercise ? exercise->problem : "", "verdict", verdict_name(decision->verdict),
-        "cause", decision->cause, "summary", summary_json(decision));
+        message_json(exercise ? &exercise->title : &untitled), "problem",
+        exercise ? exercise->problem : "", "verdict", verdict_name(decision->verdict), "cause",
+        decision->cause.slug, "summary", summary_json(decision));
+    if (decision->cause.slug[0])
+        json_object_set_new(json, "cause_name", phrase_json(decision->cause.name));
+    return json;
 }
 
 int score_trial(struct trial *trial, const struct submitter *submitter, struct outcome *outcome,
@@ -347,7 +369,7 @@ int score_without_trial(const struct exercise *exercise, const struct submitter 
                         enum verdict verdict, const struct refusal *why, struct outcome *outcome,
                         struct error *err)
 {
-    struct decision decision = {verdict, why->cause, why->message, why->message_es, "", NULL};
+    struct decision decision = {verdict, refusal_cause(why), message_phrase(&why->message), NULL};
     json_t *score = verdict == VERDICT_FAULT ? json_null() : json_real(0);
     outcome->scenes = json_object();
     outcome->result = header_json(exercise, submitter, &decision);

@@ -7,20 +7,58 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const struct cause called_abort = {"abort", {"abort or assert", "abort o assert"}};
+static const struct cause integer_division = {"division",
+                                              {"division by zero", "división por cero"}};
+static const struct cause illegal_instruction = {
+    "illegal-instruction", {"unknown instruction", "instrucción desconocida"}};
+static const struct cause broken_pipe = {"broken-pipe", {"broken pipe", "tubería rota"}};
+static const struct cause wild_pointer = {"wild-pointer", {"invalid pointer", "puntero inválido"}};
+static const struct cause stack_overflow = {"stack-overflow",
+                                            {"stack overflow", "desbordamiento de pila"}};
+static const struct cause input_misused = {
+    "input", {"input changed or overrun", "entrada modificada o rebasada"}};
+static const struct cause null_pointer = {"null-pointer", {"null pointer", "puntero nulo"}};
+static const struct cause segmentation_fault = {
+    "segmentation-fault", {"access to foreign memory", "acceso a memoria ajena"}};
+static const struct cause memory_limit = {"memory-limit", {"memory limit", "límite de memoria"}};
+static const struct cause output_limit = {"output-limit", {"output limit", "límite de salida"}};
+static const struct cause idle_limit = {"idle-limit",
+                                        {"idle time limit", "límite de tiempo de espera"}};
+static const struct cause called_exit = {"exit", {"ended the program", "terminó el programa"}};
+static const struct cause broken_protocol = {"broken-protocol",
+                                             {"damaged program", "programa dañado"}};
+static const struct cause not_allocated = {
+    "not-allocated", {"pointer not from malloc", "puntero que no es de malloc"}};
+static const struct cause claims_out_of_memory = {
+    "claims-out-of-memory", {"says that memory ran out", "dice que faltó memoria"}};
+static const struct cause answer_too_long = {"answer-too-long",
+                                             {"answer too long", "respuesta demasiado larga"}};
+
 enum { BOX_OVERHEAD_BYTES = 64 << 20 };
 
-void attempt_say(struct attempt *attempt, enum verdict verdict, const char *cause,
-                 const char *english, const char *spanish, ...)
+const struct cause attempt_cpu_limit = {"cpu-limit", {"CPU time limit", "límite de tiempo de CPU"}};
+
+static void set_cause(struct attempt *attempt, const struct cause *cause)
 {
-    va_list arguments, again;
+    snprintf(attempt->cause, sizeof attempt->cause, "%s", cause->slug);
+    message_set_phrase(&attempt->cause_name, cause->name);
+}
+
+void attempt_say(struct attempt *attempt, enum verdict verdict, const struct cause *cause,
+                 const char *en, const char *es, ...)
+{
+    va_list arguments;
     attempt->verdict = verdict;
-    snprintf(attempt->cause, sizeof attempt->cause, "%s", cause);
-    va_start(arguments, spanish);
-    va_copy(again, arguments);
-    vsnprintf(attempt->message, sizeof attempt->message, english, arguments);
-    vsnprintf(attempt->message_es, sizeof attempt->message_es, spanish, again);
-    va_end(again);
+    set_cause(attempt, cause);
+    va_start(arguments, es);
+    message_say_list(&attempt->message, en, es, arguments);
     va_end(arguments);
+}
+
+struct cause attempt_cause(const struct attempt *attempt)
+{
+    return (struct cause){attempt->cause, message_phrase(&attempt->cause_name)};
 }
 
 /* ------------------------------------------------------------------ deaths */
@@ -29,40 +67,41 @@ static void explain_signal(int signal_number, const struct control *claims, stru
 {
     bool in_answer = claims->phase == PHASE_ANSWER;
     if (signal_number == SIGABRT)
-        attempt_say(attempt, VERDICT_CRASH, "abort",
+        attempt_say(attempt, VERDICT_CRASH, &called_abort,
                     "Your function stopped the program with abort or a failed assert.",
                     "Tu función detuvo el programa con abort o con un assert que falla.");
     else if (signal_number == SIGFPE)
-        attempt_say(attempt, VERDICT_CRASH, "division", "Your function divided an integer by zero.",
+        attempt_say(attempt, VERDICT_CRASH, &integer_division,
+                    "Your function divided an integer by zero.",
                     "Tu función dividió un entero por cero.");
     else if (signal_number == SIGILL || signal_number == SIGTRAP)
-        attempt_say(attempt, VERDICT_CRASH, "illegal-instruction",
+        attempt_say(attempt, VERDICT_CRASH, &illegal_instruction,
                     "Your function executed an instruction that this machine does not have.",
                     "Tu función ejecutó una instrucción que esta máquina no tiene.");
     else if (signal_number == SIGPIPE)
-        attempt_say(attempt, VERDICT_CRASH, "broken-pipe",
+        attempt_say(attempt, VERDICT_CRASH, &broken_pipe,
                     "Your function wrote to a pipe that nobody reads.",
                     "Tu función escribió en una tubería que nadie lee.");
     else if (in_answer)
-        attempt_say(attempt, VERDICT_CRASH, "wild-pointer",
+        attempt_say(attempt, VERDICT_CRASH, &wild_pointer,
                     "The pointer that your function returned cannot be read as far as its count "
                     "says.",
                     "El puntero que devuelve tu función no se puede leer hasta donde dice el "
                     "número de elementos.");
     else if (claims->fault == FAULT_STACK)
-        attempt_say(attempt, VERDICT_CRASH, "stack-overflow",
+        attempt_say(attempt, VERDICT_CRASH, &stack_overflow,
                     "Your function used up the stack: recursion without end, or a huge local "
                     "array.",
                     "Tu función agotó la pila: recursión sin fin o una variable local enorme.");
     else if (claims->fault == FAULT_INPUT)
-        attempt_say(attempt, VERDICT_CRASH, "input",
+        attempt_say(attempt, VERDICT_CRASH, &input_misused,
                     "Your function wrote to its input, which is const, or read beyond its end.",
                     "Tu función escribió en su entrada, que es const, o leyó más allá de su fin.");
     else if (claims->fault == FAULT_NULL)
-        attempt_say(attempt, VERDICT_CRASH, "null-pointer",
-                    "Your function followed a null pointer.", "Tu función siguió un puntero nulo.");
+        attempt_say(attempt, VERDICT_CRASH, &null_pointer, "Your function followed a null pointer.",
+                    "Tu función siguió un puntero nulo.");
     else
-        attempt_say(attempt, VERDICT_CRASH, "segmentation-fault",
+        attempt_say(attempt, VERDICT_CRASH, &segmentation_fault,
                     "Your function read or wrote memory that is not its own.",
                     "Tu función leyó o escribió memoria que no le pertenece.");
 }
@@ -70,12 +109,13 @@ static void explain_signal(int signal_number, const struct control *claims, stru
 static void explain_refused_call(const struct box_outcome *outcome, struct attempt *attempt)
 {
     const char *call = outcome->refused_call[0] ? outcome->refused_call : "?";
+    const struct cause cause = {call, {call, call}};
     if (outcome->refused_is_process)
-        attempt_say(attempt, VERDICT_TOO_MANY_PROCESSES, call,
+        attempt_say(attempt, VERDICT_TOO_MANY_PROCESSES, &cause,
                     "Your function tried to start a process or thread (system call %s).",
                     "Tu función intentó crear un proceso o hilo (llamada al sistema %s).", call);
     else
-        attempt_say(attempt, VERDICT_FORBIDDEN_OPERATION, call,
+        attempt_say(attempt, VERDICT_FORBIDDEN_OPERATION, &cause,
                     "Your function asked the system for something that is not allowed: %s.",
                     "Tu función pidió al sistema algo que no está permitido: %s.",
                     outcome->refused_detail[0] ? outcome->refused_detail : call);
@@ -83,7 +123,7 @@ static void explain_refused_call(const struct box_outcome *outcome, struct attem
 
 static void explain_out_of_memory(struct attempt *attempt)
 {
-    attempt_say(attempt, VERDICT_OUT_OF_MEMORY, "memory-limit",
+    attempt_say(attempt, VERDICT_OUT_OF_MEMORY, &memory_limit,
                 "Your function asked for more memory than it may have.",
                 "Tu función pidió más memoria de la permitida.");
 }
@@ -132,24 +172,24 @@ int attempt_explain_death(enum call_end end, const struct control *claims,
     else if (outcome->end == BOX_ENDED_MEMORY || claims->refused_count > 0)
         explain_out_of_memory(attempt);
     else if (outcome->end == BOX_ENDED_OUTPUT)
-        attempt_say(attempt, VERDICT_TOO_MUCH_OUTPUT, "output-limit",
+        attempt_say(attempt, VERDICT_TOO_MUCH_OUTPUT, &output_limit,
                     "Your function printed more than 1 MB.", "Tu función imprimió más de 1 MB.");
     else if (end == CALL_CPU || outcome->end == BOX_ENDED_CPU)
-        attempt_say(attempt, VERDICT_CPU_TIME, "cpu-limit",
+        attempt_say(attempt, VERDICT_CPU_TIME, &attempt_cpu_limit,
                     "Your function did not end in time: a loop without end, or far too much work.",
                     "Tu función no terminó a tiempo: un bucle sin fin o demasiado trabajo.");
     else if (end == CALL_IDLE)
-        attempt_say(attempt, VERDICT_IDLE_TIME, "idle-limit",
+        attempt_say(attempt, VERDICT_IDLE_TIME, &idle_limit,
                     "Your function waited without working.", "Tu función esperó sin trabajar.");
     else if (outcome->end == BOX_ENDED_SIGNAL)
         explain_signal(outcome->signal, claims, attempt);
     else if (outcome->end == BOX_ENDED_EXIT)
-        attempt_say(attempt, VERDICT_CRASH, "exit",
+        attempt_say(attempt, VERDICT_CRASH, &called_exit,
                     "Your function ended the program (exit code %d) instead of returning.",
                     "Tu función terminó el programa (código %d) en vez de retornar.",
                     outcome->exit_code);
     else
-        attempt_say(attempt, VERDICT_CRASH, "broken-protocol",
+        attempt_say(attempt, VERDICT_CRASH, &broken_protocol,
                     "Your function damaged the program that called it.",
                     "Tu función dañó el programa que la llamó.");
     return 0;
@@ -164,17 +204,17 @@ static bool settle_by_claims(const struct session *session, struct attempt *atte
     if (claims->out_of_memory && claims->refused_count > 0)
         explain_out_of_memory(attempt);
     else if (claims->bad_free_count > 0)
-        attempt_say(attempt, VERDICT_UNDEFINED_BEHAVIOUR, "not-allocated",
+        attempt_say(attempt, VERDICT_UNDEFINED_BEHAVIOUR, &not_allocated,
                     "A pointer that was not obtained from malloc (or was freed already) was freed: "
                     "return memory from malloc.",
                     "Se liberó un puntero que no procede de malloc (o ya liberado): devuelve "
                     "memoria obtenida con malloc.");
     else if (claims->out_of_memory)
-        attempt_say(attempt, VERDICT_WRONG_ANSWER, "claims-out-of-memory",
+        attempt_say(attempt, VERDICT_WRONG_ANSWER, &claims_out_of_memory,
                     "Your function says that memory ran out, but every request was granted.",
                     "Tu función dice que faltó memoria, pero se concedieron todas las peticiones.");
     else if (claims->answer_bytes > session->answer.capacity)
-        attempt_say(attempt, VERDICT_WRONG_ANSWER, "answer-too-long",
+        attempt_say(attempt, VERDICT_WRONG_ANSWER, &answer_too_long,
                     "The answer has more elements than any right one can have.",
                     "La respuesta tiene más elementos de los que puede tener una correcta.");
     else
@@ -212,9 +252,9 @@ int attempt_judge(const struct yardstick *yardstick, const struct input *input,
     const struct judgement *judgement = &examination.judgement;
     attempt->verdict = judgement->accepted ? VERDICT_PASSED : VERDICT_WRONG_ANSWER;
     snprintf(attempt->cause, sizeof attempt->cause, "%s", judgement->cause);
-    snprintf(attempt->message, sizeof attempt->message, "%s", judgement->message.en);
-    snprintf(attempt->message_es, sizeof attempt->message_es, "%s", judgement->message.es);
-    snprintf(attempt->element, sizeof attempt->element, "%s", judgement->element.en);
+    attempt->cause_name = judgement->cause_name;
+    attempt->element = judgement->element;
+    attempt->message = judgement->message;
     attempt->scene = examination.scene;
     examination.scene = NULL;
     examination_release(&examination);

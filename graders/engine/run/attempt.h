@@ -6,18 +6,20 @@
 #include "graders/engine/run/examine.h"
 #include "graders/engine/run/session.h"
 #include "graders/engine/run/yardstick.h"
+#include "reference/base/phrase.h"
 
 enum { ATTEMPT_OUTPUT = 4096 };
 
 struct attempt {
-    enum verdict verdict; /* PASSED: the answer was accepted */
-    char cause[48];
-    char element[96];
-    char message[MESSAGE_BYTES], message_es[MESSAGE_BYTES];
-    json_t *scene;         /* may be NULL; owned */
-    struct control claims; /* of the call; all zero when it never came back */
-    bool uncounted;        /* the program has no allocation shim: the judge hears of no usage */
-    int64_t cpu_ns;        /* charged to the call */
+    enum verdict verdict;      /* PASSED: the answer was accepted */
+    char cause[CAUSE_SLUG];    /* empty when it passed */
+    struct message cause_name; /* for people */
+    struct message element;    /* the first and smallest at fault; may be empty */
+    struct message message;    /* what is wrong, where, what is right */
+    json_t *scene;             /* may be NULL; owned */
+    struct control claims;     /* of the call; all zero when it never came back */
+    bool uncounted;            /* the program has no allocation shim: the judge hears of no usage */
+    int64_t cpu_ns;            /* charged to the call */
     struct box_outcome outcome;
     char output[ATTEMPT_OUTPUT]; /* what it printed, untrusted */
 };
@@ -47,9 +49,15 @@ int attempt_explain_death(enum call_end end, const struct control *claims,
                           struct error *err) MUST_CHECK;
 
 /* Sets verdict, cause and both sentences (same arguments for both). */
-void attempt_say(struct attempt *attempt, enum verdict verdict, const char *cause,
-                 const char *english, const char *spanish, ...)
-    __attribute__((format(printf, 4, 6)));
+void attempt_say(struct attempt *attempt, enum verdict verdict, const struct cause *cause,
+                 const char *en, const char *es, ...)
+    __attribute__((format(printf, 4, 6), format(printf, 5, 6)));
+
+/* The cause of an attempt, borrowed from it. */
+struct cause attempt_cause(const struct attempt *attempt);
+
+/* The limit of CPU time was reached. */
+extern const struct cause attempt_cpu_limit;
 
 void attempt_release(struct attempt *attempt);
 

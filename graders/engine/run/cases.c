@@ -14,7 +14,8 @@ bool trial_case_in_scope(const struct judge_case *c, const struct trial_scope *s
 {
     if (scope->only_case)
         return strcmp(c->name, scope->only_case) == 0;
-    return (!scope->public_only || judge_case_is_public(c)) && (!scope->quick || judge_case_is_quick(c));
+    return (!scope->public_only || judge_case_is_public(c)) &&
+           (!scope->quick || judge_case_is_quick(c));
 }
 
 static bool is_time_limit(enum verdict verdict)
@@ -37,7 +38,7 @@ static void explain_cpu_limit(struct attempt *attempt)
 {
     int multiple = CONFIRMING_MULTIPLE * CPU_LIMIT_MULTIPLE;
     int least_seconds = CONFIRMING_MULTIPLE * CPU_LIMIT_LEAST_SECONDS;
-    attempt_say(attempt, VERDICT_CPU_TIME, "cpu-limit",
+    attempt_say(attempt, VERDICT_CPU_TIME, &attempt_cpu_limit,
                 "Your function takes more than %d times the CPU time of the reference (and more "
                 "than %d s). It is a loop without end, or far too much work.",
                 "Tu función tarda más de %d veces el tiempo de CPU de la referencia (y más de %d "
@@ -85,7 +86,7 @@ int trial_run_cases(struct trial *trial, struct error *err)
             continue;
         trial->cases[i].run = true;
         if (time_limits >= TIME_LIMITS_TO_STOP) {
-            attempt_say(attempt, VERDICT_NOT_REACHED, "not-reached",
+            attempt_say(attempt, VERDICT_NOT_REACHED, &trial_not_reached,
                         "Not run: %d cases before it did not end in time.",
                         "No se ejecutó: %d casos anteriores no terminaron a tiempo.", time_limits);
             continue;

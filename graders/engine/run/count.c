@@ -8,6 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
+static const struct cause no_counts = {"no-counts", {"doubtful counts", "cuentas dudosas"}};
+
 enum {
     SIZES_BEFORE_HOPELESS = 4,
     BESIDE_SLACK = 200000,          /* instructions */
@@ -179,10 +181,9 @@ static int blame_dump(const struct series *series, const struct error *why, stru
 {
     if (series_check_way(series, err) != 0)
         return -1;
-    attempt_say(failure, VERDICT_FLAGGED, "no-counts",
-                "The counts of your work are not to be believed (%.200s): a person must look.",
-                "No se puede confiar en las cuentas de tu trabajo (%.200s): debe mirarlo una "
-                "persona.",
+    attempt_say(failure, VERDICT_FLAGGED, &no_counts,
+                "The work counts look tampered with (%.200s): a person must look at it.",
+                "Las cuentas del trabajo parecen manipuladas (%.200s): debe mirarlo una persona.",
                 why->text);
     return 0;
 }

@@ -57,7 +57,8 @@ _Noreturn static void judge_and_exit(const struct judge *judge, struct span inpu
     _exit(written ? EXIT_SAID : EXIT_FAILED);
 }
 
-static int read_message(int file, struct verdict_message *message, json_t **scene, struct error *err)
+static int read_message(int file, struct verdict_message *message, json_t **scene,
+                        struct error *err)
 {
     off_t size = lseek(file, 0, SEEK_END);
     if (size < (off_t)sizeof *message ||

@@ -3,7 +3,7 @@
 #ifndef GRADERS_ENGINE_RUN_EXAMINE_H
 #define GRADERS_ENGINE_RUN_EXAMINE_H
 
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 #include <jansson.h>
 

@@ -4,6 +4,16 @@
 #include <stdio.h>
 #include <string.h>
 
+static const struct cause memory_outside_heap = {
+    "memory-outside-heap", {"memory outside malloc", "memoria fuera de malloc"}};
+static const struct cause memory_band = {
+    "memory-band", {"memory above the band", "memoria por encima del margen"}};
+static const struct cause work_band = {"work-band",
+                                       {"work above the band", "trabajo por encima del margen"}};
+static const struct cause time_denies_counts = {
+    "time-denies-counts", {"time contradicts the counts", "el tiempo contradice las cuentas"}};
+static const struct cause no_valgrind = {"no-valgrind", {"no valgrind", "sin valgrind"}};
+
 enum {
     MEMORY_FLOOR_BYTES = 4096, /* so that a reference that allocates nothing can be divided by */
     EXTRA_DOUBLINGS = 2,
@@ -23,14 +33,13 @@ static void blame_failure(struct trial *trial, int family, int size_index,
 {
     const struct yardstick *yardstick = trial->yardstick;
     enum verdict verdict = trial_any_case_failed(trial) ? VERDICT_NOT_REACHED : failure->verdict;
+    const struct cause cause = attempt_cause(failure);
     for (int i = 0; i < SIZED_CHECKS; i++) {
         struct check_result *check = &trial->checks[sized_checks[i]];
-        check_say(check, verdict, failure->cause, "With the input %s of size %lld: %s",
-                  "Con la entrada %s de tamaño %lld: %s", judge_family_name(yardstick->judge, family),
-                  (long long)yardstick->sizes[size_index], failure->message);
-        snprintf(check->message_es, sizeof check->message_es,
-                 "Con la entrada %s de tamaño %lld: %s", judge_family_name(yardstick->judge, family),
-                 (long long)yardstick->sizes[size_index], failure->message_es);
+        check_say(check, verdict, &cause, "With the input %s of size %lld: ",
+                  "Con la entrada %s de tamaño %lld: ", judge_family_name(yardstick->judge, family),
+                  (long long)yardstick->sizes[size_index]);
+        message_add_phrase(&check->message, message_phrase(&failure->message));
     }
 }
 
@@ -45,8 +54,9 @@ static int measure_memory(struct trial *trial, int family, bool *right, struct e
         blame_failure(trial, family, run.done, &run.failure);
     if (result == 0 && run.hidden_bytes > 0)
         check_say(
-            &trial->checks[CHECK_MEMORY], VERDICT_FLAGGED, "memory-outside-heap",
-            "The process grew by %lld bytes more than malloc gave out: a person must look.",
+            &trial->checks[CHECK_MEMORY], VERDICT_FLAGGED, &memory_outside_heap,
+            "The process grew by %lld bytes more than malloc handed out: a person must "
+            "look at it.",
             "El proceso creció %lld bytes más de lo que dio malloc: debe mirarlo una persona.",
             (long long)run.hidden_bytes);
     attempt_release(&run.failure);
@@ -80,7 +90,7 @@ static int count_reference(struct yardstick *yardstick, int family, int last, st
                             NULL, yardstick->costs[family], &run, err);
     if (result == 0 && run.failure.verdict != VERDICT_PASSED)
         result = error_set(err, "exercise %s: the reference fails at larger sizes: %s",
-                           yardstick->exercise->name, run.failure.message);
+                           yardstick->exercise->name, run.failure.message.en);
     attempt_release(&run.failure);
     return result;
 }
@@ -99,11 +109,48 @@ static int fit(struct trial *trial, int family, enum growth_class allowed, bool 
                       &found->fit, err);
 }
 
+/* "quadratic": a share of the work, behind "is". */
+static struct phrase class_adjective(enum growth_class class)
+{
+    static const struct phrase adjectives[GROWTH_CLASS_COUNT] = {
+        {"constant", "constante"}, {"linear", "lineal"},        {"n lg n", "n lg n"},
+        {"n^1.5", "n^1.5"},        {"quadratic", "cuadrático"}, {"cubic", "cúbico"}};
+    return adjectives[class];
+}
+
+/* The work of a family grows faster than is allowed: how much of it, and how. */
+static void say_growth(struct trial *trial, int family)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    const struct family_result *found = &trial->families[family];
+    const struct message *elements = &yardstick->exercise->growth_elements;
+    struct check_result *check = &trial->checks[CHECK_GROWTH];
+    struct phrase adjective = class_adjective(found->fit.class);
+    const char *class = growth_class_name(found->fit.class);
+    long long size = (long long)yardstick->sizes[found->size_count - 1];
+    struct message name;
+    message_say(&name, "grows like %s", "crece como %s", class);
+    const struct cause cause = {class, message_phrase(&name)};
+    if (found->fit.decision == GROWTH_FAIL) {
+        check_say(check, VERDICT_GROWS_TOO_FAST, &cause, "%.0f %% of the work is ",
+                  "El %.0f %% del trabajo es ", 100 * found->fit.excess);
+        message_add_phrase(&check->message, adjective);
+    } else {
+        check_say(check, VERDICT_GROWS_TOO_FAST, &cause,
+                  "The work is far above the reference's and grows like %s",
+                  "El trabajo supera con mucho al de la referencia y crece como %s", class);
+    }
+    message_en(&check->message, " at %lld %s", size, elements->en);
+    message_es(&check->message, " con %lld %s", size, elements->es);
+    message_add(&check->message, " with the inputs %s; at most %s is allowed.",
+                " de las entradas %s; se admite como mucho %s.",
+                judge_family_name(yardstick->judge, family), yardstick->exercise->growth_allowed);
+}
+
 static int judge_growth(struct trial *trial, int family, bool *right, struct error *err)
 {
     const struct exercise *exercise = trial->yardstick->exercise;
     struct family_result *found = &trial->families[family];
-    struct check_result *check = &trial->checks[CHECK_GROWTH];
     enum growth_class allowed;
     if (growth_class_find(exercise->growth_allowed, &allowed) != 0)
         return error_set(err, "exercise %s: growth: no class \"%s\"", exercise->name,
@@ -121,13 +168,7 @@ static int judge_growth(struct trial *trial, int family, bool *right, struct err
     if (found->fit.decision == GROWTH_UNDECIDED && fit(trial, family, allowed, true, err) != 0)
         return -1;
     if (found->fit.decision == GROWTH_FAIL || found->hopeless)
-        check_say(check, VERDICT_GROWS_TOO_FAST, growth_class_name(found->fit.class),
-                  "On the inputs %s the work grows like %s (exponent %.2f), allowed is "
-                  "%s.",
-                  "Con las entradas %s el trabajo crece como %s (exponente %.2f); se admite "
-                  "%s.",
-                  judge_family_name(trial->yardstick->judge, family), growth_class_name(found->fit.class),
-                  found->fit.exponent, exercise->growth_allowed);
+        say_growth(trial, family);
     return 0;
 }
 
@@ -154,7 +195,8 @@ static void judge_memory(struct trial *trial)
         }
     }
     bool within = trial->memory_ratio <= yardstick->exercise->memory_band;
-    check_say(check, within ? VERDICT_PASSED : VERDICT_TOO_MUCH_MEMORY, within ? "" : "memory-band",
+    check_say(check, within ? VERDICT_PASSED : VERDICT_TOO_MUCH_MEMORY,
+              within ? NULL : &memory_band,
               "The peak of memory is %.2f times the reference's (at most %.4g).",
               "El máximo de memoria es %.2f veces el de la referencia (como mucho %.4g).",
               trial->memory_ratio, yardstick->exercise->memory_band);
@@ -193,19 +235,19 @@ static int judge_work(struct trial *trial, struct error *err)
         return -1;
     struct check_result *check = &trial->checks[CHECK_WORK];
     if (!above)
-        check_say(check, VERDICT_PASSED, "",
+        check_say(check, VERDICT_PASSED, NULL,
                   "The counted cost is %.2f times the reference's (at most %.4g).",
                   "El coste contado es %.2f veces el de la referencia (como mucho %.4g).",
                   trial->work_ratio, exercise->work_band);
     else if (!slower)
-        check_say(check, VERDICT_PASSED, "",
+        check_say(check, VERDICT_PASSED, NULL,
                   "The counted cost is %.2f times the reference's (at most %.4g), but the time is "
                   "not: that is in your favour.",
                   "El coste contado es %.2f veces el de la referencia (como mucho %.4g), pero el "
                   "tiempo no: la duda te favorece.",
                   trial->work_ratio, exercise->work_band);
     else
-        check_say(check, VERDICT_TOO_MUCH_WORK, "work-band",
+        check_say(check, VERDICT_TOO_MUCH_WORK, &work_band,
                   "The counted cost is %.2f times the reference's (at most %.4g), and so is the "
                   "time.",
                   "El coste contado es %.2f veces el de la referencia (como mucho %.4g), y el "
@@ -219,9 +261,9 @@ static int judge_work(struct trial *trial, struct error *err)
 /* Counts come from the submission's own process, which can lie to the tool that counts. Time cannot
  * be hidden: an honest program that counts r times the reference's cost takes up to 4.2 r times its
  * time, and a greedy one, which counts little but whose pages the kernel must clear, up to 13.
- * Beyond TIME_FLOOR + TIME_TO_COUNT r a person must look. What is claimed within the band of an
- * exercise that judges work so allows at most that sum at the band itself; a claim beyond the band
- * loses the mark unless the time is within it. */
+ * Beyond TIME_FLOOR + TIME_TO_COUNT r a person must look. So a submission that lies within the band
+ * can take at most TIME_FLOOR + TIME_TO_COUNT x band times the reference's time; a claim beyond the
+ * band loses the mark unless the time is within it. */
 static int check_counts(struct trial *trial, struct error *err)
 {
     int largest = trial->yardstick->size_count - 1;
@@ -242,14 +284,15 @@ static int check_counts(struct trial *trial, struct error *err)
         if (!denied)
             continue;
         for (int i = 0; i < SIZED_CHECKS; i++)
-            check_say(&trial->checks[sized_checks[i]], VERDICT_FLAGGED, "time-denies-counts",
-                      "On the inputs %s the counted cost is %.2f times the reference's, but on new "
-                      "meshes the time is more than %.0f times, or no answer comes: a person "
-                      "must look.",
-                      "Con las entradas %s el coste contado es %.2f veces el de la referencia, "
-                      "pero con mallas nuevas el tiempo es más de %.0f veces, o no responde: debe "
-                      "mirarlo una persona.",
-                      judge_family_name(trial->yardstick->judge, family), ratio, bound);
+            check_say(
+                &trial->checks[sized_checks[i]], VERDICT_FLAGGED, &time_denies_counts,
+                "On the inputs %s the counted cost is %.2f times the reference's, but on new "
+                "meshes the time is more than %.0f times the reference's, or there is no "
+                "answer: a person must look at it.",
+                "Con las entradas %s el coste contado es %.2f veces el de la referencia, "
+                "pero con mallas nuevas el tiempo es más de %.0f veces el de la referencia, o no "
+                "responde: debe mirarlo una persona.",
+                judge_family_name(trial->yardstick->judge, family), ratio, bound);
         return 0;
     }
     return 0;
@@ -260,7 +303,7 @@ static int check_counts(struct trial *trial, struct error *err)
 static void say_not_measured(struct trial *trial)
 {
     for (int i = 0; i < 2; i++)
-        check_say(&trial->checks[sized_checks[i]], VERDICT_NOT_MEASURED, "no-valgrind",
+        check_say(&trial->checks[sized_checks[i]], VERDICT_NOT_MEASURED, &no_valgrind,
                   "Not measured here: %s.", "No se midió aquí: %s.",
                   trial->yardstick->probes.valgrind_reason);
 }
@@ -281,8 +324,9 @@ int trial_check_growth(struct trial *trial, struct error *err)
         say_not_measured(trial);
         return 0;
     }
-    check_say(&trial->checks[CHECK_GROWTH], VERDICT_PASSED, "", "The work grows no faster than %s.",
-              "El trabajo no crece más que %s.", exercise->growth_allowed);
+    check_say(&trial->checks[CHECK_GROWTH], VERDICT_PASSED, NULL,
+              "The work grows no faster than %s.", "El trabajo no crece más que %s.",
+              exercise->growth_allowed);
     for (int family = 0; family < yardstick->family_count && right; family++)
         if (count_sizes(trial, family, 0, yardstick->size_count - 1, &right, err) != 0 ||
             (right && judge_growth(trial, family, &right, err) != 0))

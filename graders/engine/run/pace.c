@@ -1,5 +1,6 @@
-/* The second witness of speed; see pace.h and trial.h. It has a word in marks for speed, and it is
- * what counts are checked by: they come from the submission's own process. */
+/* The second witness of speed; see pace.h and trial.h. It decides marks
+ * for speed together with the counts, and catches false counts, which come from the submission's
+ * own process. */
 #include "graders/engine/run/pace.h"
 
 #include "bench/measure/sign_test.h"
@@ -25,8 +26,9 @@ static int make_fresh(struct pace *pace, struct error *err)
     const struct yardstick *yardstick = pace->trial->yardstick;
     struct input *input = &pace->fresh;
     struct writer writer = writer_growing();
-    int result = judge_make_sized(yardstick->judge, pace->family, yardstick->sizes[pace->size_index],
-                                              pace->seed + pace->pairs, &writer, err);
+    int result =
+        judge_make_sized(yardstick->judge, pace->family, yardstick->sizes[pace->size_index],
+                         pace->seed + pace->pairs, &writer, err);
     if (result == 0 && (writer.failed || writer.count > input->region.capacity))
         result = error_set(err, "judge %s: inputs of one size differ in bytes",
                            yardstick->judge->exercise);

@@ -2,8 +2,12 @@
  * other refused: it must say so in the documented way (or do without), neither crash nor leak. */
 #include "graders/engine/run/series.h"
 #include "graders/engine/run/trial.h"
+#include "reference/base/plural.h"
 
 #include <string.h>
+
+static const struct cause refused_allocation = {"allocation-failure",
+                                                {"refused allocation", "reserva denegada"}};
 
 enum { CASES_MAX = 4, FAILURES_MAX = 16, INPUT_BYTES_MAX = 1 << 18 };
 static const struct call_limits limits = {5000000000LL, 2000000000LL};
@@ -33,19 +37,20 @@ static int judge_call(struct trial *trial, const struct series *series, size_t i
     const char *name = trial->yardstick->judge->cases[index].name;
     const struct input *input = &trial->yardstick->cases[index];
     if (series->end != CALL_ANSWERED) {
-        check_say(check, VERDICT_CRASH, "allocation-failure",
-                  "In case %s your function does not survive that allocation number %lld fails: "
-                  "test what malloc returns.",
-                  "En el caso %s tu función no sobrevive si falla la reserva número %lld: "
+        check_say(check, VERDICT_CRASH, &refused_allocation,
+                  "In case %s your function crashes when allocation number %lld fails: test what "
+                  "malloc returns.",
+                  "En el caso %s tu función se interrumpe si falla la reserva número %lld: "
                   "comprueba lo que devuelve malloc.",
                   name, failing);
         return 0;
     }
     if (attempt->claims.heap_left_bytes > 0) {
-        check_say(check, VERDICT_LEAK, "allocation-failure",
-                  "In case %s, when allocation number %lld fails, bytes are never freed: %lld.",
-                  "En el caso %s, si falla la reserva número %lld, hay bytes sin liberar: %lld.",
-                  name, failing, (long long)attempt->claims.heap_left_bytes);
+        check_say(check, VERDICT_LEAK, &refused_allocation,
+                  "In case %s, when allocation number %lld fails, your function leaks %lld byte%s.",
+                  "En el caso %s, si falla la reserva número %lld, tu función pierde %lld byte%s.",
+                  name, failing, (long long)attempt->claims.heap_left_bytes,
+                  plural_ending(attempt->claims.heap_left_bytes));
         return 0;
     }
     if (attempt->claims.out_of_memory)
@@ -53,11 +58,11 @@ static int judge_call(struct trial *trial, const struct series *series, size_t i
     if (attempt_judge(trial->yardstick, input, &series->session, attempt, err) != 0)
         return -1;
     if (attempt->verdict != VERDICT_PASSED)
-        check_say(check, VERDICT_WRONG_ANSWER, "allocation-failure",
+        check_say(check, VERDICT_WRONG_ANSWER, &refused_allocation,
                   "In case %s, when allocation number %lld fails, your function neither reports it "
-                  "nor answers right.",
-                  "En el caso %s, si falla la reserva número %lld, tu función ni avisa ni responde "
-                  "bien.",
+                  "nor gives the right answer.",
+                  "En el caso %s, si falla la reserva número %lld, tu función ni avisa ni da la "
+                  "respuesta correcta.",
                   name, failing);
     return 0;
 }
@@ -96,8 +101,8 @@ int trial_check_allocation_failure(struct trial *trial, struct error *err)
     size_t chosen[CASES_MAX];
     struct check_result *check = &trial->checks[CHECK_ALLOCATION_FAILURE];
     int count = choose_cases(trial, chosen);
-    check_say(check, VERDICT_PASSED, "", "Every refused allocation was handled.%s",
-              "Se trató cada reserva denegada.%s", "");
+    check_say(check, VERDICT_PASSED, NULL, "Every refused allocation was handled.",
+              "Se trató cada reserva denegada.");
     for (int i = 0; i < count && check->verdict == VERDICT_PASSED; i++)
         if (sweep_case(trial, chosen[i], err) != 0)
             return -1;

@@ -9,17 +9,19 @@
 #include <string.h>
 #include <sys/resource.h>
 
-void check_say(struct check_result *check, enum verdict verdict, const char *cause,
-               const char *english, const char *spanish, ...)
+static const struct cause leaked_blocks = {"leak", {"memory leak", "fuga de memoria"}};
+
+const struct cause trial_not_reached = {"not-reached", {"not reached", "sin examinar"}};
+
+void check_say(struct check_result *check, enum verdict verdict, const struct cause *cause,
+               const char *en, const char *es, ...)
 {
-    va_list arguments, again;
+    va_list arguments;
     check->verdict = verdict;
-    snprintf(check->cause, sizeof check->cause, "%s", cause);
-    va_start(arguments, spanish);
-    va_copy(again, arguments);
-    vsnprintf(check->message, sizeof check->message, english, arguments);
-    vsnprintf(check->message_es, sizeof check->message_es, spanish, again);
-    va_end(again);
+    snprintf(check->cause, sizeof check->cause, "%s", cause ? cause->slug : "");
+    message_set_phrase(&check->cause_name, cause ? cause->name : (struct phrase){NULL, NULL});
+    va_start(arguments, es);
+    message_say_list(&check->message, en, es, arguments);
     va_end(arguments);
 }
 
@@ -28,8 +30,8 @@ static void check_leak(struct trial *trial)
 {
     const struct judge *judge = trial->yardstick->judge;
     struct check_result *check = &trial->checks[CHECK_LEAK];
-    check_say(check, VERDICT_PASSED, "", "Everything allocated is freed or returned.%s",
-              "Todo lo reservado se libera o se devuelve.%s", "");
+    check_say(check, VERDICT_PASSED, NULL, "Everything allocated is freed or returned.",
+              "Todo lo reservado se libera o se devuelve.");
     const struct control *least = NULL;
     for (size_t i = 0; i < judge->case_count; i++) {
         const struct control *claims = &trial->cases[i].attempt.claims;
@@ -38,7 +40,7 @@ static void check_leak(struct trial *trial)
             continue;
         least = claims;
         check_say(
-            check, VERDICT_LEAK, "leak",
+            check, VERDICT_LEAK, &leaked_blocks,
             "In case %s your function leaves %lld byte%s in %lld block%s that nobody can free "
             "any more.",
             "En el caso %s tu función deja %lld byte%s en %lld bloque%s que ya nadie puede "
@@ -74,9 +76,9 @@ static void charge(const struct trial *trial, enum trial_stage stage, int64_t *s
 static void set_not_reached(struct trial *trial)
 {
     for (int check = 0; check < CHECK_COUNT; check++)
-        check_say(&trial->checks[check], VERDICT_NOT_REACHED, "not-reached",
-                  "Not looked at, because something before it failed.%s",
-                  "No se examinó, porque falló algo anterior.%s", "");
+        check_say(&trial->checks[check], VERDICT_NOT_REACHED, &trial_not_reached,
+                  "Not looked at, because something before it failed.",
+                  "No se examinó, porque falló algo anterior.");
 }
 
 static int run_checks(struct trial *trial, struct error *err)

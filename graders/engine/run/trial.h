@@ -9,12 +9,10 @@ struct case_result {
     struct attempt attempt;
 };
 
-enum { CHECK_TEXT = 640 };
-
 struct check_result {
-    enum verdict verdict; /* PASSED, NOT_REACHED, NOT_MEASURED, or what it found */
-    char cause[48];
-    char message[CHECK_TEXT], message_es[CHECK_TEXT];
+    enum verdict verdict;   /* PASSED, NOT_REACHED, NOT_MEASURED, or what it found */
+    char cause[CAUSE_SLUG]; /* empty when it passed */
+    struct message cause_name, message;
 };
 
 /* How the work of one family grew. */
@@ -70,9 +68,14 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
 
 void trial_release(struct trial *trial);
 
-/* Sets a check's verdict and both sentences (same arguments for both). */
-void check_say(struct check_result *check, enum verdict verdict, const char *cause,
-               const char *english, const char *spanish, ...) __attribute__((format(printf, 4, 6)));
+/* Sets a check's verdict and both sentences (same arguments for both). The cause is copied; NULL
+ * when the check passed. */
+void check_say(struct check_result *check, enum verdict verdict, const struct cause *cause,
+               const char *en, const char *es, ...)
+    __attribute__((format(printf, 4, 6), format(printf, 5, 6)));
+
+/* Something before it failed: a check or case was not looked at. */
+extern const struct cause trial_not_reached;
 
 /* -- the steps, one file each; all return 0, or -1 and *err: a fault ------------------------- */
 

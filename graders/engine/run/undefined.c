@@ -10,6 +10,14 @@
 #include <stdio.h>
 #include <string.h>
 
+static const struct cause tool_found = {"found",
+                                        {"undefined behaviour", "comportamiento indefinido"}};
+static const struct cause too_much_for_tool = {
+    "too-much-for-tool", {"too much for the tool", "demasiado para la herramienta"}};
+static const struct cause behaves_differently = {
+    "behaves-differently",
+    {"behaves differently under a tool", "se comporta de otro modo con una herramienta"}};
+
 enum { SANITIZED_INPUT_BYTES = 1 << 20, CHECKED_INPUT_BYTES = 1 << 17 };
 static const struct call_limits limits = {20000000000LL, 5000000000LL};
 
@@ -91,17 +99,13 @@ static const char *explain_memcheck(const char *output, char *text, size_t capac
 static void report(struct trial *trial, size_t index, const char *tool, const char *text)
 {
     const char *name = trial->yardstick->judge->cases[index].name;
-    check_say(&trial->checks[CHECK_UNDEFINED_BEHAVIOUR], VERDICT_UNDEFINED_BEHAVIOUR, "found",
+    check_say(&trial->checks[CHECK_UNDEFINED_BEHAVIOUR], VERDICT_UNDEFINED_BEHAVIOUR, &tool_found,
               "In case %s %s found \"%s\".", "En el caso %s, %s encontró \"%s\".", name, tool,
               text);
     struct attempt *attempt = &trial->cases[index].attempt;
     if (attempt->verdict != VERDICT_CRASH)
         return;
-    size_t used = strlen(attempt->message), used_es = strlen(attempt->message_es);
-    snprintf(attempt->message + used, sizeof attempt->message - used, " %s says \"%s\".", tool,
-             text);
-    snprintf(attempt->message_es + used_es, sizeof attempt->message_es - used_es,
-             " %s dice \"%s\".", tool, text);
+    message_add(&attempt->message, " %s says \"%s\".", " %s dice \"%s\".", tool, text);
 }
 
 /* ------------------------------------------------------------------- calls */
@@ -202,22 +206,24 @@ static void report_exhaustion(struct trial *trial, const char *name, const char 
 {
     struct check_result *check = &trial->checks[CHECK_UNDEFINED_BEHAVIOUR];
     if (out_of_time)
-        check_say(check, VERDICT_NOT_MEASURED, "too-much-for-tool",
+        check_say(check, VERDICT_NOT_MEASURED, &too_much_for_tool,
                   "In case %s your function did not end within %lld s of CPU time under %s, which "
-                  "slows programs down: nobody knows whether its behaviour is defined, and there "
-                  "are no points for that. With less work on this case it can be looked at.",
+                  "slows programs down, so undefined behaviour could not be checked, and the "
+                  "check gives no points. A function that does less work here can be checked.",
                   "En el caso %s tu función no terminó en %lld s de CPU con %s, que ralentiza los "
-                  "programas: no se sabe si su comportamiento está definido, y no hay puntos por "
-                  "ello. Si trabaja menos en este caso se podrá examinar.",
+                  "programas, así que no se pudo comprobar si hay comportamiento indefinido y la "
+                  "comprobación no da puntos. Una función que trabaje menos en este caso se podrá "
+                  "comprobar.",
                   name, (long long)(limits.cpu_ns / 1000000000), tool);
     else
-        check_say(check, VERDICT_NOT_MEASURED, "too-much-for-tool",
+        check_say(check, VERDICT_NOT_MEASURED, &too_much_for_tool,
                   "In case %s your function ran out of memory under %s, which needs memory of its "
-                  "own: nobody knows whether its behaviour is defined, and there are no points for "
-                  "that. With less memory in this case it can be looked at.",
-                  "En el caso %s tu función agotó la memoria con %s, que necesita memoria propia: "
-                  "no se sabe si su comportamiento está definido, y no hay puntos por ello. Si usa "
-                  "menos memoria en este caso se podrá examinar.",
+                  "own, so undefined behaviour could not be checked, and the check gives no "
+                  "points. A function that uses less memory here can be checked.",
+                  "En el caso %s tu función agotó la memoria con %s, que necesita memoria propia, "
+                  "así que no se pudo comprobar si hay comportamiento indefinido y la comprobación "
+                  "no da puntos. Una función que use menos memoria en este caso se podrá "
+                  "comprobar.",
                   name, tool);
 }
 
@@ -230,13 +236,14 @@ static void report_difference(struct trial *trial, const struct look *look, cons
     if (attempt->verdict == VERDICT_CPU_TIME || attempt->verdict == VERDICT_OUT_OF_MEMORY)
         report_exhaustion(trial, name, tool, attempt->verdict == VERDICT_CPU_TIME);
     else if (trial_any_case_failed(trial))
-        check_say(check, VERDICT_NOT_MEASURED, "behaves-differently",
-                  "Case %s passes, but under %s it does not: mend the rejected cases first.",
-                  "El caso %s es correcto, pero con %s no: corrige antes los casos rechazados.",
+        check_say(check, VERDICT_NOT_MEASURED, &behaves_differently,
+                  "Case %s passes on its own but fails under %s: fix the rejected cases first.",
+                  "El caso %s es correcto, pero con %s falla: corrige antes los casos rechazados.",
                   name, tool);
     else
-        check_say(check, VERDICT_FLAGGED, "behaves-differently",
-                  "Case %s passes, but under %s it ends otherwise (%s): a person must look.",
+        check_say(check, VERDICT_FLAGGED, &behaves_differently,
+                  "Case %s passes on its own but ends differently under %s (%s): a person must "
+                  "look at it.",
                   "El caso %s es correcto, pero con %s acaba de otro modo (%s): debe mirarlo una "
                   "persona.",
                   name, tool, verdict_name(attempt->verdict));
@@ -269,14 +276,15 @@ static int look_with(struct trial *trial, enum series_tool tool, size_t input_li
 int trial_check_undefined_behaviour(struct trial *trial, struct error *err)
 {
     struct check_result *check = &trial->checks[CHECK_UNDEFINED_BEHAVIOUR];
-    check_say(check, VERDICT_PASSED, "", "AddressSanitizer, UBSan and valgrind found nothing.%s",
-              "AddressSanitizer, UBSan y valgrind no encontraron nada.%s", "");
+    check_say(check, VERDICT_PASSED, NULL, "AddressSanitizer, UBSan and valgrind found nothing.",
+              "AddressSanitizer, UBSan y valgrind no encontraron nada.");
     for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
         if (trial->cases[i].run && trial->cases[i].attempt.verdict == VERDICT_UNDEFINED_BEHAVIOUR) {
-            *check = (struct check_result){.verdict = VERDICT_UNDEFINED_BEHAVIOUR};
-            snprintf(check->cause, sizeof check->cause, "%s", trial->cases[i].attempt.cause);
-            strcpy(check->message, trial->cases[i].attempt.message);
-            strcpy(check->message_es, trial->cases[i].attempt.message_es);
+            const struct attempt *attempt = &trial->cases[i].attempt;
+            *check = (struct check_result){.verdict = VERDICT_UNDEFINED_BEHAVIOUR,
+                                           .cause_name = attempt->cause_name,
+                                           .message = attempt->message};
+            memcpy(check->cause, attempt->cause, sizeof check->cause);
         }
     if (look_with(trial, SERIES_SANITIZER, SANITIZED_INPUT_BYTES, err) != 0)
         return -1;

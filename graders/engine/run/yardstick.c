@@ -86,7 +86,7 @@ static int run_reference(struct yardstick *yardstick, size_t index, struct error
                              &reference_limits, MODE_PLAIN, 0, &attempt, err);
     if (result == 0 && attempt.verdict != VERDICT_PASSED)
         result = error_set(err, "exercise %s: the reference fails case %s: %s %s",
-                           yardstick->exercise->name, c->name, attempt.cause, attempt.message);
+                           yardstick->exercise->name, c->name, attempt.cause, attempt.message.en);
     yardstick->reference_cpu_ns[index] = attempt.cpu_ns > 0 ? attempt.cpu_ns : 1;
     attempt_release(&attempt);
     return result;
@@ -121,8 +121,8 @@ int yardstick_sized(struct yardstick *yardstick, int family, int size_index,
     if (made->bytes != 0)
         return 0;
     struct writer writer = writer_growing();
-    int result = judge_make_sized(yardstick->judge, family, yardstick->sizes[size_index], yardstick->seed,
-                                              &writer, err);
+    int result = judge_make_sized(yardstick->judge, family, yardstick->sizes[size_index],
+                                  yardstick->seed, &writer, err);
     if (result == 0)
         result = seal_input(yardstick->judge, &writer, made, err);
     writer_release(&writer);
@@ -154,9 +154,9 @@ static int build_reference(struct yardstick *yardstick, struct error *err)
     int result = build_submission(exercise, &source, 1, &yardstick->reference, err);
     free(text);
     if (result == 0 && yardstick->reference.refusal.refused)
-        result = error_set(err, "%s does not build: %s: %s %.200s", path,
-                           yardstick->reference.refusal.cause, yardstick->reference.refusal.message,
-                           yardstick->reference.diagnostics);
+        result = error_set(
+            err, "%s does not build: %s: %s %.200s", path, yardstick->reference.refusal.cause,
+            yardstick->reference.refusal.message.en, yardstick->reference.diagnostics);
     return result;
 }
 
@@ -188,9 +188,10 @@ static int measure_reference(struct yardstick *yardstick, struct error *err)
             verdict = run.failure.verdict;
         }
         if (result == 0 && verdict != VERDICT_PASSED)
-            result = error_set(err, "exercise %s: the reference fails on %s: %s %s",
-                               yardstick->exercise->name, judge_family_name(yardstick->judge, family),
-                               run.failure.cause, run.failure.message);
+            result =
+                error_set(err, "exercise %s: the reference fails on %s: %s %s",
+                          yardstick->exercise->name, judge_family_name(yardstick->judge, family),
+                          run.failure.cause, run.failure.message.en);
         attempt_release(&run.failure);
         if (result != 0)
             return -1;

@@ -10,7 +10,7 @@
 #include "graders/engine/base/exercise.h"
 #include "graders/engine/build/build.h"
 #include "graders/engine/run/region.h"
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 struct input {
     struct region region;

@@ -11,6 +11,27 @@
 #include <string.h>
 #include <sys/stat.h>
 
+static const struct cause archive_too_large = {
+    "archive-too-large", {"archive too large", "archivo comprimido demasiado grande"}};
+static const struct cause archive_ratio = {"archive-ratio",
+                                           {"excessive compression", "compresión excesiva"}};
+static const struct cause archive_link = {"archive-link",
+                                          {"archive with links", "archivo comprimido con enlaces"}};
+static const struct cause archive_device = {
+    "archive-device", {"archive with devices", "archivo comprimido con dispositivos"}};
+static const struct cause archive_encrypted = {"archive-encrypted",
+                                               {"encrypted archive", "archivo comprimido cifrado"}};
+static const struct cause archive_nested = {"archive-nested",
+                                            {"nested archives", "archivos comprimidos anidados"}};
+static const struct cause archive_too_many = {
+    "archive-too-many",
+    {"archive with too many files", "archivo comprimido con demasiados archivos"}};
+static const struct cause archive_path = {"archive-path",
+                                          {"path not allowed", "ruta no permitida"}};
+static const struct cause archive_unread = {
+    "archive-unread",
+    {"archive not read to its end", "archivo comprimido sin leer hasta el final"}};
+
 struct unpacking {
     struct archive *archive;
     int64_t packed_bytes; /* size of the archive itself */
@@ -30,19 +51,24 @@ static int add_refused(struct unpacking *u, const char *path, const struct refus
     return bundle_add(u->bundle, path, NULL, 0, refusal, u->err);
 }
 
-static void refuse_entry(struct refusal *refusal, const char *cause, const char *entry,
-                         const char *english, const char *spanish)
+static void refuse_entry(struct refusal *refusal, const struct cause *cause, const char *entry,
+                         const char *en, const char *es)
 {
     char shown[REFUSAL_NAME];
-    refusal_name(shown, entry, strlen(entry));
-    refuse(refusal, cause, "archive: %s: %s%.0s", "archivo comprimido: %s: %.0s%s", shown, english,
-           spanish);
+    struct message message;
+    message_say(&message, "archive: %s: ", "archivo comprimido: %s: ",
+                refusal_name(shown, entry, strlen(entry)));
+    message_add_phrase(&message, (struct phrase){en, es});
+    refuse_saying(refusal, cause, &message);
 }
 
-static void refuse_archive(struct refusal *refusal, const char *cause, const char *english,
-                           const char *spanish)
+static void refuse_archive(struct refusal *refusal, const struct cause *cause, const char *en,
+                           const char *es)
 {
-    refuse(refusal, cause, "archive: %s%.0s", "archivo comprimido: %.0s%s", english, spanish);
+    struct message message;
+    message_say(&message, "archive: ", "archivo comprimido: ");
+    message_add_phrase(&message, (struct phrase){en, es});
+    refuse_saying(refusal, cause, &message);
 }
 
 /* ---------------------------------------------------------------- one entry */
@@ -56,16 +82,16 @@ static void check_amount(const struct unpacking *u, int64_t size, const char *na
     bool is_bomb = unpacked_bytes > ARCHIVE_RATIO_FREE_BYTES &&
                    unpacked_bytes / ARCHIVE_RATIO > u->packed_bytes;
     if (u->is_class && is_too_large)
-        refuse_entry(refusal, "archive-too-large", name, "more than 1 GB.", "más de 1 GB.");
+        refuse_entry(refusal, &archive_too_large, name, "more than 1 GB.", "más de 1 GB.");
     else if (u->is_class && is_bomb)
-        refuse_entry(refusal, "archive-ratio", name,
+        refuse_entry(refusal, &archive_ratio, name,
                      "it unpacks to more than 200 times the whole archive (a bomb?).",
                      "descomprimido ocupa más de 200 veces el archivo entero (¿una bomba?).");
     else if (is_too_large)
-        refuse_archive(refusal, "archive-too-large", "it unpacks to more than 1 GB.",
+        refuse_archive(refusal, &archive_too_large, "it unpacks to more than 1 GB.",
                        "descomprimido ocupa más de 1 GB.");
     else if (is_bomb)
-        refuse_archive(refusal, "archive-ratio",
+        refuse_archive(refusal, &archive_ratio,
                        "it unpacks to more than 200 times its size (an archive bomb?).",
                        "descomprimido ocupa más de 200 veces su tamaño (¿una bomba?).");
 }
@@ -76,13 +102,13 @@ static void check_entry(struct unpacking *u, struct archive_entry *entry, const 
 {
     const mode_t type = archive_entry_filetype(entry);
     if (archive_entry_hardlink(entry) || type == AE_IFLNK)
-        refuse_entry(refusal, "archive-link", name, "links are not allowed.",
+        refuse_entry(refusal, &archive_link, name, "links are not allowed.",
                      "no se permiten enlaces.");
     else if (type != AE_IFREG && type != AE_IFDIR)
-        refuse_entry(refusal, "archive-device", name, "only plain files are allowed.",
+        refuse_entry(refusal, &archive_device, name, "only plain files are allowed.",
                      "solo se permiten archivos normales.");
     else if (archive_entry_is_encrypted(entry))
-        refuse_entry(refusal, "archive-encrypted", name, "encrypted; pack it without a password.",
+        refuse_entry(refusal, &archive_encrypted, name, "encrypted; pack it without a password.",
                      "cifrado; comprímalo sin contraseña.");
     else
         check_amount(u, archive_entry_size(entry), name, refusal);
@@ -110,11 +136,11 @@ static int read_content(struct unpacking *u, const char *name, size_t limit, uns
         if (got == 0)
             return 0;
         if (got < 0) {
-            refuse_entry(refusal, "archive-broken", name, "cannot be unpacked: damaged.",
+            refuse_entry(refusal, &upload_archive_broken, name, "cannot be unpacked: damaged.",
                          "no se puede descomprimir: está dañado.");
             refusal->is_fault = u->is_class; /* packed by no student */
         } else if (*count + (size_t)got > limit)
-            refuse_entry(refusal, "file-too-large", name, "too large.", "demasiado grande.");
+            refuse_entry(refusal, &upload_file_too_large, name, "too large.", "demasiado grande.");
         if (refusal->refused) {
             free(*bytes);
             *bytes = NULL;
@@ -143,10 +169,10 @@ static int take_file(struct unpacking *u, const char *path)
     if (kind == BUNDLE_JUNK)
         return 0;
     if (kind == BUNDLE_OTHER_ARCHIVE)
-        refuse_entry(&refusal, "archive-kind", path, "pack it as .zip or .tar.gz.",
+        refuse_entry(&refusal, &upload_archive_kind, path, "pack it as .zip or .tar.gz.",
                      "comprímalo como .zip o .tar.gz.");
     if (kind == BUNDLE_ARCHIVE && u->nesting + 1 >= ARCHIVE_NESTING)
-        refuse_entry(&refusal, "archive-nested", path, "an archive in an archive in an archive.",
+        refuse_entry(&refusal, &archive_nested, path, "an archive in an archive in an archive.",
                      "un archivo comprimido dentro de otro y de otro.");
     if (kind == BUNDLE_OTHER || refusal.refused)
         return add_refused(u, path, &refusal);
@@ -194,12 +220,12 @@ static int count_entry(struct unpacking *u, int64_t size, struct refusal *refusa
                             : (int)BUNDLE_ENTRIES;
     u->unpacked_bytes += size > 0 && size < INT64_MAX / 4 ? size : size > 0 ? INT64_MAX / 4 : 0;
     if (++u->entries > most)
-        refuse_archive(refusal, "archive-too-many", "it holds too many files.",
+        refuse_archive(refusal, &archive_too_many, "it holds too many files.",
                        "contiene demasiados archivos.");
     /* Entries that are passed over cost nothing in a zip, and their unpacking in a tar. */
     else if (u->is_class && u->unpacked_bytes > ARCHIVE_CLASS_BYTES &&
              archive_format(u->archive) != ARCHIVE_FORMAT_ZIP)
-        refuse_archive(refusal, "archive-too-large",
+        refuse_archive(refusal, &archive_too_large,
                        "it unpacks to more than 4 GB: pack it as .zip.",
                        "descomprimido ocupa más de 4 GB: comprímalo como .zip.");
     return refusal->refused;
@@ -217,7 +243,7 @@ static int take_entry(struct unpacking *u, struct archive_entry *entry, struct r
         return 0; /* the archive's own top: "./" */
     struct refusal of_entry = {0};
     if (!name || bundle_join(path, u->prefix, name)) {
-        refuse_entry(&of_entry, "archive-path", name ? name : "?",
+        refuse_entry(&of_entry, &archive_path, name ? name : "?",
                      "absolute, upward, empty and very long paths are not allowed.",
                      "no se permiten rutas absolutas, hacia arriba, vacías o muy largas.");
         int result = name ? refuse_owner(u, name, &of_entry) : 1;
@@ -226,8 +252,8 @@ static int take_entry(struct unpacking *u, struct archive_entry *entry, struct r
         return result;
     }
     check_entry(u, entry, name, &of_entry);
-    if (!u->is_class && (strcmp(of_entry.cause, "archive-ratio") == 0 ||
-                         strcmp(of_entry.cause, "archive-too-large") == 0)) {
+    if (!u->is_class && (strcmp(of_entry.cause, archive_ratio.slug) == 0 ||
+                         strcmp(of_entry.cause, archive_too_large.slug) == 0)) {
         *refusal = of_entry;
         return 1;
     }
@@ -256,19 +282,17 @@ static struct archive *new_reader(struct error *err)
 /* The archive of a class that could be read in part: what was read stays. */
 static void keep_what_was_read(const struct unpacking *u, struct refusal *refusal)
 {
-    char why[REFUSAL_TEXT], why_es[REFUSAL_TEXT];
+    struct message message = refusal->message;
     if (!u->is_class || !refusal->refused || u->bundle->count == 0 ||
-        strcmp(refusal->cause, "archive-path") == 0)
+        strcmp(refusal->cause, archive_path.slug) == 0)
         return;
-    snprintf(why, sizeof why, "%s", refusal->message);
-    snprintf(why_es, sizeof why_es, "%s", refusal->message_es);
+    message_add(&message,
+                " What comes after it was not read: pack it anew without what is at fault, and "
+                "grade again.",
+                " Lo que sigue no se leyó: comprímalo de nuevo, sin lo que falla, y corríjalo otra "
+                "vez.");
     *refusal = (struct refusal){0};
-    refuse(refusal, "archive-unread",
-           "%.150s%.0s What comes after was not read: pack it anew, without what is at fault, and "
-           "grade again.",
-           "%.0s%.150s Lo que sigue no se leyó: comprímalo de nuevo, sin lo que falla, y corríjalo "
-           "otra vez.",
-           why, why_es);
+    refuse_saying(refusal, &archive_unread, &message);
     refusal->is_fault = true;
 }
 
@@ -287,10 +311,10 @@ static int take_entries(struct unpacking *u, bool is_open)
     if (result < 0)
         return -1;
     if (status != ARCHIVE_EOF && result == 0)
-        refuse_archive(&refusal, "archive-broken", "it is damaged or of an unknown kind.",
+        refuse_archive(&refusal, &upload_archive_broken, "it is damaged or of an unknown kind.",
                        "está dañado o es de un tipo desconocido.");
     else if (result == 0 && u->entries == 0)
-        refuse_archive(&refusal, "archive-broken", "it is empty.", "está vacío.");
+        refuse_archive(&refusal, &upload_archive_broken, "it is empty.", "está vacío.");
     keep_what_was_read(u, &refusal);
     return refusal.refused ? add_refused(u, u->prefix, &refusal) : 0;
 }

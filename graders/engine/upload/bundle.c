@@ -5,6 +5,17 @@
 #include <string.h>
 #include <strings.h>
 
+const struct cause upload_archive_broken = {"archive-broken",
+                                            {"broken archive", "archivo comprimido dañado"}};
+const struct cause upload_archive_kind = {"archive-kind",
+                                          {"kind of archive", "tipo de archivo comprimido"}};
+const struct cause upload_file_too_large = {"file-too-large",
+                                            {"file too large", "archivo demasiado grande"}};
+const struct cause upload_file_twice = {"file-twice", {"handed in twice", "entregado dos veces"}};
+const struct cause upload_no_source = {"no-source", {"no source file", "sin archivo fuente"}};
+static const struct cause folder_too_large = {"folder-too-large",
+                                              {"folder too large", "carpeta demasiado grande"}};
+
 /* A folder that weighs less is never let go: no class consists of such. */
 enum { SHED_BYTES = 8 << 20 };
 
@@ -224,7 +235,7 @@ static int let_go_of_heaviest(struct bundle *bundle, struct error *err)
     free(bundle->shed);
     bundle->shed = shed;
     remove_below(bundle, folder);
-    refuse(&refusal, "folder-too-large",
+    refuse(&refusal, &folder_too_large,
            "%s holds more files or bytes than there is room for: hand in the sources only.",
            "%s contiene más archivos o bytes de los que caben: entregue solo las fuentes.",
            refusal_name(shown, folder, strlen(folder)));

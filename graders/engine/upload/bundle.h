@@ -26,6 +26,10 @@ enum bundle_kind {
     BUNDLE_OTHER          /* its name is kept */
 };
 
+/* Causes that several readers of uploads find. */
+extern const struct cause upload_archive_broken, upload_archive_kind, upload_file_too_large,
+    upload_file_twice, upload_no_source;
+
 struct bundle_file {
     char *path; /* steps with / between; no . or .. step; bytes as found, maybe not UTF-8 */
     unsigned char *bytes; /* NULL when refused or of no use */

@@ -15,6 +15,16 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+static const struct cause unreadable = {"unreadable", {"unreadable file", "archivo ilegible"}};
+static const struct cause device_file = {"device", {"device", "dispositivo"}};
+static const struct cause link_file = {"link", {"link", "enlace"}};
+static const struct cause folder_unreadable = {"folder-unreadable",
+                                               {"unreadable folder", "carpeta ilegible"}};
+static const struct cause archive_unreadable = {
+    "archive-unreadable", {"unreadable archive", "archivo comprimido ilegible"}};
+static const struct cause folder_path = {"folder-path",
+                                         {"path of the folder", "ruta de la carpeta"}};
+
 /* Opens a name in a folder for reading, without following links. On kernels before 5.6, which lack
  * openat2, O_NOFOLLOW is as good, since `name` is a single step. */
 static int open_step(int folder, const char *name)
@@ -28,7 +38,7 @@ static int open_step(int folder, const char *name)
 }
 
 /* What the machine does not let us read is no doing of the student. */
-static void refuse_unreadable(struct refusal *refusal, const char *cause, const char *shown)
+static void refuse_unreadable(struct refusal *refusal, const struct cause *cause, const char *shown)
 {
     const char *why = strerror(errno);
     if (refuse(refusal, cause, "%s cannot be read (%s): make it readable and grade it again.",
@@ -45,11 +55,12 @@ int folder_read_file(int fd, const char *name, size_t limit, unsigned char **byt
     *bytes = NULL;
     *count = 0;
     if (fstat(fd, &status)) {
-        refuse_unreadable(refusal, "unreadable", shown);
+        refuse_unreadable(refusal, &unreadable, shown);
         return 0;
     }
     if (!S_ISREG(status.st_mode)) {
-        refuse(refusal, "device", "%s is not a plain file.", "%s no es un archivo normal.", shown);
+        refuse(refusal, &device_file, "%s is not a plain file.", "%s no es un archivo normal.",
+               shown);
         return 0;
     }
     unsigned char *buffer = malloc(limit + 1);
@@ -60,7 +71,7 @@ int folder_read_file(int fd, const char *name, size_t limit, unsigned char **byt
         if (got < 0 && errno == EINTR)
             continue;
         if (got < 0) {
-            refuse_unreadable(refusal, "unreadable", shown);
+            refuse_unreadable(refusal, &unreadable, shown);
             free(buffer);
             *count = 0;
             return 0;
@@ -72,7 +83,7 @@ int folder_read_file(int fd, const char *name, size_t limit, unsigned char **byt
     if (*count > limit) {
         free(buffer);
         *count = 0;
-        refuse(refusal, "file-too-large", "%s is larger than %zu bytes.",
+        refuse(refusal, &upload_file_too_large, "%s is larger than %zu bytes.",
                "%s ocupa más de %zu bytes.", shown, limit);
         return 0;
     }
@@ -101,7 +112,7 @@ static int take_file(int fd, const char *path, struct bundle *bundle, struct err
     case BUNDLE_ARCHIVE:
         return take_archive(fd, path, bundle, err);
     case BUNDLE_OTHER_ARCHIVE:
-        refuse(&refusal, "archive-kind", "archive: %s: pack it as .zip or .tar.gz.",
+        refuse(&refusal, &upload_archive_kind, "archive: %s: pack it as .zip or .tar.gz.",
                "archivo comprimido: %s: comprímalo como .zip o .tar.gz.",
                strrchr(path, '/') ? strrchr(path, '/') + 1 : path);
         break;
@@ -143,14 +154,14 @@ static int take_unopened(int folder, const char *name, char path[BUNDLE_PATH_BYT
         fstatat(folder, name, &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(status.st_mode);
     errno = why;
     if (why == ELOOP || why == ENXIO || why == EXDEV)
-        refuse(&refusal, why == ENXIO ? "device" : "link", "%s is a link or a device.",
+        refuse(&refusal, why == ENXIO ? &device_file : &link_file, "%s is a link or a device.",
                "%s es un enlace o un dispositivo.", shown);
     else if (is_folder)
-        refuse_unreadable(&refusal, "folder-unreadable", shown);
+        refuse_unreadable(&refusal, &folder_unreadable, shown);
     else if (kind == BUNDLE_ARCHIVE)
-        refuse_unreadable(&refusal, "archive-unreadable", shown);
+        refuse_unreadable(&refusal, &archive_unreadable, shown);
     else if (kind != BUNDLE_OTHER)
-        refuse_unreadable(&refusal, "unreadable", shown);
+        refuse_unreadable(&refusal, &unreadable, shown);
     if (kind == BUNDLE_ARCHIVE && !is_folder)
         path[bundle_archive_stem(path)] = '\0';
     return bundle_add(bundle, path, NULL, 0, &refusal, err);
@@ -168,7 +179,7 @@ static int refuse_name(const char *prefix, const char *name, struct bundle *bund
             *c = '_';
     if (bundle_join(path, prefix, plain))
         snprintf(path, sizeof path, "%s", prefix);
-    refuse(&refusal, "folder-path", "%s: its path is too long or deep, or has a backslash.",
+    refuse(&refusal, &folder_path, "%s: its path is too long or deep, or has a backslash.",
            "%s: su ruta es demasiado larga o profunda, o tiene una barra invertida.",
            refusal_name(shown, name, strlen(name)));
     return bundle_add(bundle, path, NULL, 0, &refusal, err);
@@ -182,7 +193,7 @@ static int take_folder(int fd, const char *path, int depth, struct bundle *bundl
     int copy = openat(fd, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (copy >= 0 || is_short_of_everything(errno))
         return read_level(copy, path, depth, bundle, err);
-    refuse_unreadable(&refusal, "folder-unreadable", refusal_name(shown, path, strlen(path)));
+    refuse_unreadable(&refusal, &folder_unreadable, refusal_name(shown, path, strlen(path)));
     return bundle_add(bundle, path, NULL, 0, &refusal, err);
 }
 

@@ -1,9 +1,15 @@
 /* The source files of one submission; see upload_sources.h. */
 #include "graders/engine/upload/sources.h"
 
+#include "graders/engine/upload/bundle.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+
+static const struct cause file_name = {"file-name", {"file name", "nombre de archivo"}};
+static const struct cause too_many_files = {"too-many-files",
+                                            {"too many files", "demasiados archivos"}};
 
 static void drop_files(struct upload *upload)
 {
@@ -16,30 +22,41 @@ static void drop_files(struct upload *upload)
     upload->file_count = 0;
 }
 
-int upload_take_source(struct upload *upload, const char *name, size_t length, const void *bytes,
-                       size_t count, struct error *err)
+static void check_name(const char *name, size_t length, const char *shown, struct refusal *refusal)
 {
     static const char letters[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
-    char shown[REFUSAL_NAME];
-    struct refusal *refusal = &upload->refusal;
-    refusal_name(shown, name, length);
-    bool is_plain = length < REFUSAL_NAME && *name != '.' && *name != '-';
+    bool is_plain = *name != '.' && *name != '-';
     for (size_t i = 0; i < length; i++)
         is_plain &= name[i] && strchr(letters, name[i]);
+    if (length > UPLOAD_NAME_BYTES)
+        refuse(refusal, &file_name,
+               "The file name \"%s\" is too long: it has %zu characters, at most %d are allowed.",
+               "El nombre de archivo \"%s\" es demasiado largo: tiene %zu caracteres y se admiten "
+               "como mucho %d.",
+               shown, length, UPLOAD_NAME_BYTES);
     if (!is_plain)
-        refuse(refusal, "file-name",
+        refuse(refusal, &file_name,
                "The file name \"%s\" is not allowed: use letters, digits, . _ and - only.",
                "El nombre de archivo \"%s\" no está permitido: use solo letras, cifras, . _ y -.",
                shown);
+}
+
+int upload_take_source(struct upload *upload, const char *name, size_t length, const void *bytes,
+                       size_t count, struct error *err)
+{
+    char shown[REFUSAL_NAME];
+    struct refusal *refusal = &upload->refusal;
+    refusal_name(shown, name, length);
+    check_name(name, length, shown, refusal);
     for (int i = 0; i < upload->file_count; i++)
         if (strlen(upload->files[i].name) == length &&
             strncasecmp(upload->files[i].name, name, length) == 0)
-            refuse(refusal, "file-twice", "Two files are called %s.", "Dos archivos se llaman %s.",
-                   shown);
+            refuse(refusal, &upload_file_twice, "Two files are called %s.",
+                   "Dos archivos se llaman %s.", shown);
     if (upload->file_count == UPLOAD_FILES)
-        refuse(refusal, "too-many-files", "More than %d source files.",
-               "Más de %d archivos fuente.", UPLOAD_FILES);
+        refuse(refusal, &too_many_files, "More than %d source files.", "Más de %d archivos fuente.",
+               UPLOAD_FILES);
     if (refusal->refused)
         return 0;
     struct upload_file *larger =
@@ -76,7 +93,8 @@ void upload_settle(struct upload *upload)
         has_code |= name[strlen(name) - 1] == 'c';
     }
     if (!has_code)
-        refuse(&upload->refusal, "no-source", "There is no .c file.", "No hay ningún archivo .c.");
+        refuse(&upload->refusal, &upload_no_source, "There is no .c file.",
+               "No hay ningún archivo .c.");
     if (upload->refusal.refused)
         drop_files(upload);
     if (upload->file_count)

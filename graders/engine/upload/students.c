@@ -14,7 +14,7 @@ enum { NOTES_MAX = 500 };
 struct reading {
     const struct origin *origin;
     struct bundle *bundle;
-    struct tree tree;
+    struct folder_tree tree;
     bool *used;  /* by file of the bundle: taken into a submission, or named in its refusal */
     int student; /* the current one's number */
     int first_upload;
@@ -166,7 +166,7 @@ static int add_submission(struct reading *r, const char *display, int student, i
     if (places.other >= 0) {
         char first[REFUSAL_NAME], second[REFUSAL_NAME];
         const struct tree_node *a = &r->tree.nodes[places.best], *b = &r->tree.nodes[places.other];
-        refuse(&upload->refusal, "file-twice", "Handed in twice: as %s and as %s.",
+        refuse(&upload->refusal, &upload_file_twice, "Handed in twice: as %s and as %s.",
                "Entregado dos veces: como %s y como %s.", refusal_name(first, a->name, a->length),
                refusal_name(second, b->name, b->length));
     } else if (places.best < 0) {
@@ -218,16 +218,16 @@ static int add_student(struct reading *r, int student, const char *display)
     if (refusal)
         mark_used(r, student);
     for (int e = 0; r->origin->exercises[e] && result == 0; e++)
-        if (claims_has(&node->below, e))
+        if (tree_claims_has(&node->below, e))
             result = add_submission(r, display, student, e, refusal);
-    if (!claims_is_empty(&node->below) || (!refusal && !node->has_source))
+    if (!tree_claims_is_empty(&node->below) || (!refusal && !node->has_source))
         return result;
     struct upload *upload = add_upload(r, display, r->origin->only);
     if (!upload)
         return -1;
     if (refusal)
         upload->refusal = *refusal;
-    refuse(&upload->refusal, "no-source",
+    refuse(&upload->refusal, &upload_no_source,
            "No file or folder is named after an exercise (%s.c, for example).",
            "Ningún archivo ni carpeta lleva el nombre de un ejercicio (por ejemplo, %s.c).",
            r->origin->exercises[0] ? r->origin->exercises[0] : "mesh-area");
@@ -312,25 +312,27 @@ static int find_students(struct reading *r, int node)
     const bool is_class = node == 0 && candidates > 1;
     if (node == 0 && n->file >= 0 && bundle_refuses_all(&r->bundle->files[n->file]))
         return add_named_student(r, node); /* an archive that could not be read */
-    if (node == 0 && r->origin->only >= 0 && r->origin->is_folder && !claims_is_empty(&n->own)) {
+    if (node == 0 && r->origin->only >= 0 && r->origin->is_folder &&
+        !tree_claims_is_empty(&n->own)) {
         struct places named = {.best = -1, .other = -1};
         find_places(r, node, r->origin->only, 0, &named);
         if (named.best >= 0 && named.depth == 0 && !is_class)
             return add_named_student(r, node);
         result = add_loose_files(r);
-    } else if (!claims_is_empty(&n->own) && !is_class) {
+    } else if (!tree_claims_is_empty(&n->own) && !is_class) {
         return add_named_student(r, node);
     }
     if (candidates == 1) {
         const struct tree_node *child = &r->tree.nodes[only_child];
-        bool is_wrapping = claims_is_empty(&child->own) && !claims_is_empty(&child->below);
+        bool is_wrapping =
+            tree_claims_is_empty(&child->own) && !tree_claims_is_empty(&child->below);
         if (result == 0)
             result = is_wrapping ? find_students(r, only_child) : add_named_student(r, only_child);
         return result;
     }
     for (int c = n->first_child; c >= 0 && result == 0; c = r->tree.nodes[c].next)
         if (tree_is_candidate(&r->tree, c))
-            result = claims_is_empty(&r->tree.nodes[c].own) && tree_is_group(&r->tree, c)
+            result = tree_claims_is_empty(&r->tree.nodes[c].own) && tree_is_group(&r->tree, c)
                          ? find_students(r, c)
                          : add_named_student(r, c);
     return result;
@@ -346,7 +348,7 @@ static int note_unused(struct reading *r)
         if (r->used[i] || (kind == BUNDLE_METADATA && !file->refusal.refused))
             continue;
         result = add_note(r, file->path,
-                          file->refusal.refused   ? file->refusal.message
+                          file->refusal.refused   ? file->refusal.message.en
                           : kind == BUNDLE_SOURCE ? "not taken (not part of a submission, or the "
                                                     "exercise's own header)"
                                                   : "not taken (no .c or .h file)");
@@ -370,7 +372,7 @@ static int add_single_file(struct reading *r)
     if (!upload)
         return out_of_memory(r);
     if (!upload->exercise)
-        refuse(&upload->refusal, "no-source", "The file is not named after an exercise.",
+        refuse(&upload->refusal, &upload_no_source, "The file is not named after an exercise.",
                "El archivo no lleva el nombre de un ejercicio.");
     int result = take_node(r, upload, node);
     if (result == 0)
@@ -418,7 +420,7 @@ static int add_rest(struct reading *r, int students_before)
     upload->refusal = r->bundle->files[file].refusal;
     if (!is_class) {
         upload->refusal.is_fault = false;
-        strcpy(upload->refusal.cause, "archive-broken");
+        refusal_rename(&upload->refusal, &upload_archive_broken);
     }
     return 0;
 }

@@ -10,22 +10,22 @@ struct building {
     struct bundle *bundle;
     const char *const *exercises;
     int only;
-    struct tree *tree;
+    struct folder_tree *tree;
     int capacity;
     struct error *err;
 };
 
-static void claims_add(struct claims *claims, int exercise)
+static void tree_claims_add(struct tree_claims *claims, int exercise)
 {
     claims->bits[exercise / 64] |= (uint64_t)1 << exercise % 64;
 }
 
-bool claims_has(const struct claims *claims, int exercise)
+bool tree_claims_has(const struct tree_claims *claims, int exercise)
 {
     return claims->bits[exercise / 64] >> exercise % 64 & 1;
 }
 
-bool claims_is_empty(const struct claims *claims)
+bool tree_claims_is_empty(const struct tree_claims *claims)
 {
     uint64_t any = 0;
     for (size_t i = 0; i < sizeof claims->bits / sizeof claims->bits[0]; i++)
@@ -33,7 +33,7 @@ bool claims_is_empty(const struct claims *claims)
     return any == 0;
 }
 
-static void claims_join(struct claims *to, const struct claims *from)
+static void tree_claims_join(struct tree_claims *to, const struct tree_claims *from)
 {
     for (size_t i = 0; i < sizeof to->bits / sizeof to->bits[0]; i++)
         to->bits[i] |= from->bits[i];
@@ -55,7 +55,7 @@ static int find_exercise(const struct building *b, const char *stem, size_t leng
 /* The child of that name; they are added in order, so only the last can be it. */
 static int child_named(struct building *b, int parent, const char *name, size_t length)
 {
-    struct tree *tree = b->tree;
+    struct folder_tree *tree = b->tree;
     int last = parent >= 0 ? tree->nodes[parent].last_child : -1;
     if (last >= 0 && tree->nodes[last].length == length &&
         memcmp(tree->nodes[last].name, name, length) == 0)
@@ -103,7 +103,7 @@ static int add_path(struct building *b, int file)
     if (leaf->file >= 0) {
         char shown[REFUSAL_NAME];
         refusal_name(shown, leaf->name, leaf->length);
-        refuse(&b->bundle->files[leaf->file].refusal, "file-twice", "%s was handed in twice.",
+        refuse(&b->bundle->files[leaf->file].refusal, &upload_file_twice, "%s was handed in twice.",
                "%s se entregó dos veces.", shown);
         return 0;
     }
@@ -138,7 +138,7 @@ static bool is_class_of_exercise(const struct building *b, const struct tree_nod
         const struct tree_node *child = &b->tree->nodes[c];
         if (child->has_source && !child->is_folder)
             return false;
-        folders += child->is_folder && !claims_is_empty(&child->below);
+        folders += child->is_folder && !tree_claims_is_empty(&child->below);
     }
     return folders > 1;
 }
@@ -146,7 +146,7 @@ static bool is_class_of_exercise(const struct building *b, const struct tree_nod
 /* Tells the parent; children come before their parent here. */
 static void propagate(struct building *b, struct tree_node *node)
 {
-    claims_join(&node->below, &node->own);
+    tree_claims_join(&node->below, &node->own);
     if (node->parent < 0)
         return;
     struct tree_node *parent = &b->tree->nodes[node->parent];
@@ -156,11 +156,11 @@ static void propagate(struct building *b, struct tree_node *node)
     if (node->is_folder && node->exercise >= 0 && is_class_of_exercise(b, node))
         node->exercise = -1;
     if (node->exercise < 0)
-        claims_join(&parent->below, &node->below);
+        tree_claims_join(&parent->below, &node->below);
     if (node->has_source && node->exercise >= 0 && (b->only < 0 || node->exercise == b->only))
-        claims_add(&parent->own, node->exercise);
+        tree_claims_add(&parent->own, node->exercise);
     if (node->has_source && !node->is_folder && b->only >= 0)
-        claims_add(&parent->own, b->only);
+        tree_claims_add(&parent->own, b->only);
 }
 
 /* Gradescope: folders submission_<id> beside a submission_metadata.yml. */
@@ -182,10 +182,10 @@ static void mark_gradescope(struct building *b)
     }
 }
 
-int tree_build(struct bundle *bundle, const char *const *exercises, int only, struct tree *tree,
-               struct error *err)
+int tree_build(struct bundle *bundle, const char *const *exercises, int only,
+               struct folder_tree *tree, struct error *err)
 {
-    *tree = (struct tree){0};
+    *tree = (struct folder_tree){0};
     struct building b = {
         .bundle = bundle, .exercises = exercises, .only = only, .tree = tree, .err = err};
     int result = child_named(&b, -1, "", 0) < 0 ? -1 : 0;
@@ -204,29 +204,29 @@ int tree_build(struct bundle *bundle, const char *const *exercises, int only, st
     return 0;
 }
 
-void tree_release(struct tree *tree)
+void tree_release(struct folder_tree *tree)
 {
     free(tree->nodes);
-    *tree = (struct tree){0};
+    *tree = (struct folder_tree){0};
 }
 
-bool tree_is_candidate(const struct tree *tree, int node)
+bool tree_is_candidate(const struct folder_tree *tree, int node)
 {
     const struct tree_node *n = &tree->nodes[node];
     return n->exercise < 0 && (n->has_refusal || (n->is_folder && n->has_source));
 }
 
-bool tree_is_group(const struct tree *tree, int node)
+bool tree_is_group(const struct folder_tree *tree, int node)
 {
-    struct claims once = {0};
+    struct tree_claims once = {0};
     for (int c = tree->nodes[node].first_child; c >= 0; c = tree->nodes[c].next) {
-        const struct claims *below = &tree->nodes[c].below;
+        const struct tree_claims *below = &tree->nodes[c].below;
         if (!tree_is_candidate(tree, c))
             continue;
         for (size_t i = 0; i < sizeof once.bits / sizeof once.bits[0]; i++)
             if (once.bits[i] & below->bits[i])
                 return true;
-        claims_join(&once, below);
+        tree_claims_join(&once, below);
     }
     return false;
 }

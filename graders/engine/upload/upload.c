@@ -20,10 +20,19 @@
 
 /* ---------------------------------------------------------------- one path */
 
+/* A path that cannot be opened; errno says why. When nothing is there, the caller asked for the
+ * wrong thing; else the machine does not let us. */
+static int complain_of_path(const char *path, struct error *err)
+{
+    bool is_absent = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG || errno == ELOOP;
+    return is_absent ? error_set_request(err, "%s: %s", path, strerror(errno))
+                     : error_set(err, "%s: %s", path, strerror(errno));
+}
+
 static int open_path(const char *path, struct error *err)
 {
     int fd = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    return fd < 0 ? error_set(err, "%s: %s", path, strerror(errno)) : fd;
+    return fd < 0 ? complain_of_path(path, err) : fd;
 }
 
 /* Reads the path behind `fd`; `base` is its name and loses an archive's ending. */
@@ -42,8 +51,8 @@ static int fill_bundle(int fd, char *base, struct origin *origin, struct bundle 
         return archive_read_fd(fd, "", bundle, err);
     }
     if (bundle_kind(base) != BUNDLE_SOURCE)
-        return error_set(err, "%s: neither a folder, an archive (.zip, .tar.gz, ...) nor a .c file",
-                         base);
+        return error_set_request(
+            err, "%s: neither a folder, an archive (.zip, .tar.gz, ...) nor a .c file", base);
     unsigned char *bytes;
     size_t count;
     struct refusal refusal = {0};
@@ -68,7 +77,7 @@ static int read_path(const char *path, struct origin origin, struct roster *rost
 {
     char *real = realpath(path, NULL);
     if (!real)
-        return error_set(err, "%s: %s", path, strerror(errno));
+        return complain_of_path(path, err);
     int fd = open_path(real, err), result = -1;
     struct bundle bundle = {0};
     char *base = cut_last_step(real);
@@ -138,7 +147,7 @@ static void join_twins(struct roster *roster)
         struct upload *last = kept ? &list->uploads[kept - 1] : NULL;
         if (last && is_same_student(roster, kept - 1, i) &&
             last->exercise == list->uploads[i].exercise) {
-            refuse(&last->refusal, "file-twice", "%s was handed in twice.",
+            refuse(&last->refusal, &upload_file_twice, "%s was handed in twice.",
                    "%s se entregó dos veces.", last->exercise ? last->exercise : "It");
             upload_settle(last);
             upload_release(&list->uploads[i]);
@@ -204,7 +213,7 @@ static int find_exercise(const char *const *exercises, const char *exercise, int
             *only = count;
     if (count > TREE_EXERCISES)
         return error_set(err, "more than %d exercises", TREE_EXERCISES);
-    return exercise && *only < 0 ? error_set(err, "there is no exercise %s", exercise) : 0;
+    return exercise && *only < 0 ? error_set_request(err, "there is no exercise %s", exercise) : 0;
 }
 
 int upload_read(const char *const *paths, int path_count, const char *const *exercises,
@@ -245,14 +254,14 @@ int upload_read_files(const char *const *paths, int path_count, const char *exer
         result = bundle_kind(name) == BUNDLE_SOURCE
                      ? folder_read_file(fd, name, UPLOAD_FILE_BYTES, &bytes, &count,
                                         &upload->refusal, err)
-                     : error_set(err, "%s: not a .c or .h file", paths[i]);
+                     : error_set_request(err, "%s: not a .c or .h file", paths[i]);
         close(fd);
         if (result == 0 && bytes)
             result = upload_take_source(upload, name, strlen(name), bytes, count, err);
         free(bytes);
     }
     if (result == 0 && upload->refusal.is_fault)
-        result = error_set(err, "%s", upload->refusal.message);
+        result = error_set(err, "%s", upload->refusal.message.en);
     if (result == 0)
         upload_settle(upload);
     return result;

@@ -24,7 +24,8 @@
 
 enum {
     UPLOAD_FILE_BYTES = 1 << 20, /* of one source file */
-    UPLOAD_FILES = 20            /* of one submission */
+    UPLOAD_FILES = 20,           /* of one submission */
+    UPLOAD_NAME_BYTES = 63       /* of a file's name */
 };
 
 struct upload_file {

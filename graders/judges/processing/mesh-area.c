@@ -6,7 +6,7 @@
  *
  * Classes are pure: only the tori of `closed` have more than 2 (V - 2) triangles, only `open` has
  * odd numbers of them (and `single-triangle`), only `many-triangles` has more than 400. */
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 #include "graders/library/mesh_area.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* Judges euler-closed-mesh (problem 4.4): exact numbers, and refusal of those that no mesh has. */
-#include "graders/judges/judge.h"
+#include "graders/library/judge.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -51,7 +51,7 @@ static int write_scene(const struct study *study, const struct figure *figure, c
     return status;
 }
 
-static int draw(const char *folder, const char *renderer, json_t *pictures, struct words *reason,
+static int draw(const char *folder, const char *renderer, json_t *pictures, struct phrase *reason,
                 struct error *err)
 {
     char path[DOCUMENT_PATH_BYTES];
@@ -75,7 +75,7 @@ static int draw(const char *folder, const char *renderer, json_t *pictures, stru
 
 /* Scenes and pictures of all figures. */
 static int make_pictures(const struct study *study, const char *folder, const char *renderer,
-                         struct words *reason, struct error *err)
+                         struct phrase *reason, struct error *err)
 {
     char path[DOCUMENT_PATH_BYTES];
     if (document_path(path, err, "%s/pictures", folder) != 0 ||
@@ -126,7 +126,7 @@ int bench_report(const char *folder, const char *renderer, const char *root, cha
 {
     char path[DOCUMENT_PATH_BYTES];
     struct study study;
-    struct words why = {"", ""};
+    struct phrase why = {"", ""};
     if (document_path(path, err, "%s/bench.json", folder) != 0)
         return -1;
     json_t *document = document_read_json(path, err);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static const char *verdict_words(const char *verdict)
+static const char *words_of_goal(const char *verdict)
 {
     return strcmp(verdict, "met") == 0         ? "✓ met"
            : strcmp(verdict, "missed") == 0    ? "✗ missed"
@@ -70,7 +70,7 @@ static void goal_row(struct html *page, const json_t *goal)
     table_cell(page, NULL, mesh);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
         part_cell(page, json_object_get(goal, parts[i]));
-    table_cell(page, verdict_class(verdict), verdict_words(verdict));
+    table_cell(page, verdict_class(verdict), words_of_goal(verdict));
     html_close(page, "tr");
 }
 

@@ -1,32 +1,18 @@
 /* Calls the functions of memory-indexed-grid. */
 #include "memory-indexed-grid.h"
-#include "graders/runner/call.h"
-#include "graders/runner/memory/questions.h"
 
-#include <stdlib.h>
+#include "graders/runner/questions.h"
+#include "graders/runner/shapes.h"
 
-static void ask_bytes(struct reader *input, struct writer *answer)
+static const struct asked asked[] = {ASKED_FORMULA_OF_TWO(indexed_grid_bytes),
+                                     ASKED_NUMBER(indexed_grid_kilobytes),
+                                     ASKED_NUMBER(indexed_grid_faces_per_vertex), ASKED_END};
+
+void run_call(struct reader *input, struct writer *answer)
 {
-    int64_t row_count = read_int(input);
-    const int32_t *rows = read_array(input, row_count, 2 * sizeof *rows);
-    measure_begin();
-    for (int64_t i = 0; rows && i < row_count; i++)
-        write_int(answer, indexed_grid_bytes(rows[2 * i], rows[2 * i + 1]));
-    measure_end();
-}
-
-static void ask_number(double (*number)(void), struct writer *answer)
-{
-    measure_begin();
-    double value = number();
-    measure_end();
-    write_real(answer, value);
-}
-
-static void build(struct reader *input, struct writer *answer)
-{
-    int32_t m = (int32_t)read_int(input);
-    int32_t n = (int32_t)read_int(input);
+    if (!ask(asked, input, answer))
+        return;
+    int32_t m = (int32_t)read_int(input), n = (int32_t)read_int(input);
     struct indexed_grid grid = {0};
     measure_begin();
     int status = indexed_grid_build(m, n, &grid);
@@ -38,27 +24,7 @@ static void build(struct reader *input, struct writer *answer)
     write_int(answer, status);
     if (status != 0)
         return;
-    write_table(answer, grid.vertices, grid.vertex_count, 3 * sizeof *grid.vertices);
-    write_table(answer, grid.triangles, grid.triangle_count, 3 * sizeof *grid.triangles);
+    answer_table(answer, grid.vertex_count, grid.vertices, 3 * sizeof *grid.vertices);
+    answer_table(answer, grid.triangle_count, grid.triangles, 3 * sizeof *grid.triangles);
     write_int(answer, indexed_grid_bytes(m, n));
-    free(grid.vertices);
-    free(grid.triangles);
-}
-
-void run_call(struct reader *input, struct writer *answer)
-{
-    switch (read_int(input)) {
-    case ASK_GRID_BYTES:
-        ask_bytes(input, answer);
-        break;
-    case ASK_GRID_KILOBYTES:
-        ask_number(indexed_grid_kilobytes, answer);
-        break;
-    case ASK_GRID_FACES_PER_VERTEX:
-        ask_number(indexed_grid_faces_per_vertex, answer);
-        break;
-    case ASK_GRID_BUILD:
-        build(input, answer);
-        break;
-    }
 }

@@ -1,103 +1,42 @@
-/* Calls the functions of memory-voxels-vs-mesh. */
+/* Calls the functions of memory-voxels-vs-mesh. Both builders are called from run_call itself,
+ * because that is whose calls are counted. */
 #include "memory-voxels-vs-mesh.h"
-#include "graders/runner/call.h"
-#include "graders/runner/memory/questions.h"
 
-#include <stdlib.h>
+#include "graders/runner/questions.h"
+#include "graders/runner/shapes.h"
 
-static void ask_bytes(struct reader *input, struct writer *answer, int64_t (*bytes)(int32_t k))
-{
-    int64_t row_count = read_int(input);
-    const int32_t *rows = read_array(input, row_count, 2 * sizeof *rows);
-    measure_begin();
-    for (int64_t i = 0; rows && i < row_count; i++)
-        write_int(answer, bytes(rows[2 * i]));
-    measure_end();
-}
+#include <string.h>
 
-static void ask_number(double (*number)(void), struct writer *answer)
-{
-    measure_begin();
-    double value = number();
-    measure_end();
-    write_real(answer, value);
-}
-
-static void ask_crossover(struct writer *answer)
-{
-    measure_begin();
-    int32_t k = smallest_k_for_mesh();
-    measure_end();
-    write_real(answer, k);
-}
-
-static void build_voxels(int32_t k, struct writer *answer)
-{
-    struct voxel_sphere sphere = {0};
-    measure_begin();
-    int status = voxel_sphere_build(k, &sphere);
-    measure_end();
-    if (status == OUT_OF_MEMORY) {
-        call_out_of_memory();
-        return;
-    }
-    write_int(answer, status);
-    if (status != 0)
-        return;
-    write_table(answer, sphere.bits, sphere.byte_count, 1);
-    write_int(answer, voxel_sphere_bytes(k));
-    free(sphere.bits);
-}
-
-static void build_mesh(int32_t k, struct writer *answer)
-{
-    struct mesh_sphere sphere = {0};
-    measure_begin();
-    int status = mesh_sphere_build(k, &sphere);
-    measure_end();
-    if (status == OUT_OF_MEMORY) {
-        call_out_of_memory();
-        return;
-    }
-    write_int(answer, status);
-    if (status != 0)
-        return;
-    write_table(answer, sphere.vertices, sphere.vertex_count, 3 * sizeof *sphere.vertices);
-    write_table(answer, sphere.triangles, sphere.triangle_count, 3 * sizeof *sphere.triangles);
-    write_int(answer, mesh_sphere_bytes(k));
-    free(sphere.vertices);
-    free(sphere.triangles);
-}
+static const struct asked asked[] = {
+    ASKED_FORMULA_OF_ONE(voxel_sphere_bytes), ASKED_FORMULA_OF_ONE(mesh_sphere_bytes),
+    ASKED_NUMBER(voxel_sphere_kilobytes),     ASKED_NUMBER(mesh_sphere_kilobytes),
+    ASKED_NUMBER(voxel_sphere_megabytes),     ASKED_NUMBER(mesh_sphere_megabytes),
+    ASKED_COUNT(smallest_k_for_mesh),         ASKED_END};
 
 void run_call(struct reader *input, struct writer *answer)
 {
-    switch (read_int(input)) {
-    case ASK_VOXEL_BYTES:
-        ask_bytes(input, answer, voxel_sphere_bytes);
-        break;
-    case ASK_MESH_BYTES:
-        ask_bytes(input, answer, mesh_sphere_bytes);
-        break;
-    case ASK_VOXEL_KILOBYTES:
-        ask_number(voxel_sphere_kilobytes, answer);
-        break;
-    case ASK_MESH_KILOBYTES:
-        ask_number(mesh_sphere_kilobytes, answer);
-        break;
-    case ASK_VOXEL_MEGABYTES:
-        ask_number(voxel_sphere_megabytes, answer);
-        break;
-    case ASK_MESH_MEGABYTES:
-        ask_number(mesh_sphere_megabytes, answer);
-        break;
-    case ASK_CROSSOVER:
-        ask_crossover(answer);
-        break;
-    case ASK_VOXEL_BUILD:
-        build_voxels((int32_t)read_int(input), answer);
-        break;
-    case ASK_MESH_BUILD:
-        build_mesh((int32_t)read_int(input), answer);
-        break;
+    const char *builder = ask(asked, input, answer);
+    if (!builder)
+        return;
+    bool of_voxels = strcmp(builder, "voxel_sphere_build") == 0;
+    int32_t k = (int32_t)read_int(input);
+    struct voxel_sphere voxels = {0};
+    struct mesh_sphere mesh = {0};
+    measure_begin();
+    int status = of_voxels ? voxel_sphere_build(k, &voxels) : mesh_sphere_build(k, &mesh);
+    measure_end();
+    if (status == OUT_OF_MEMORY) {
+        call_out_of_memory();
+        return;
     }
+    write_int(answer, status);
+    if (status != 0)
+        return;
+    if (of_voxels) {
+        answer_table(answer, voxels.byte_count, voxels.bits, 1);
+    } else {
+        answer_table(answer, mesh.vertex_count, mesh.vertices, 3 * sizeof *mesh.vertices);
+        answer_table(answer, mesh.triangle_count, mesh.triangles, 3 * sizeof *mesh.triangles);
+    }
+    write_int(answer, of_voxels ? voxel_sphere_bytes(k) : mesh_sphere_bytes(k));
 }

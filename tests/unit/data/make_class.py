@@ -83,8 +83,9 @@ SENTENCES = {
                             "Desbordamiento de entero con signo en area.c, línea 14."),
     "wrong-answer": ("An answer is wrong.", "Una respuesta es incorrecta."),
     "leak": ("4096 bytes were allocated and never freed.", "4096 bytes se reservaron y no se liberaron."),
-    "grows-too-fast": ("The work grows like n^2; at most n lg n is allowed.",
-                       "El trabajo crece como n^2; se permite a lo sumo n lg n."),
+    "grows-too-fast": ("98 % of the work is quadratic at 8192 triangles with the inputs fan; at most n lg n is allowed.",
+                       "El 98 % del trabajo es cuadrático con 8192 triángulos de las entradas fan; "
+                       "se admite como mucho n lg n."),
     "too-much-work": ("The answer needs 61 times the work of the reference; 40 times are allowed.",
                       "La respuesta necesita 61 veces el trabajo de la referencia; se permiten 40."),
     "too-much-memory": ("The answer takes 11.5 times the memory of the reference; 8 times are allowed.",
@@ -124,6 +125,44 @@ CASES = {
     "needles": [("needles-1e-6", "wrong-area", "triangle 7", "Relative error 3e-3.", "Error relativo 3e-3.")],
     "many": [("grid-2236", "time-limit", "", "No answer within the limit.", "Sin respuesta dentro del límite.")],
 }
+
+# Names of causes; a verdict's are its words.
+CAUSE_NAMES = {
+    "duplicate-edge": ("duplicate edge", "arista duplicada"), "missing-edge": ("missing edge", "falta una arista"),
+    "wrong-count": ("wrong count", "número equivocado"), "wrong-number": ("wrong number", "número incorrecto"),
+    "kilobyte-of-1000": ("kilobyte of 1000", "KB de 1000 bytes"),
+    "flipped-triangle": ("flipped triangle", "triángulo invertido"), "wrong-voxel": ("wrong voxel", "vóxel incorrecto"),
+    "wrong-area": ("wrong area", "área incorrecta"), "time-limit": ("time limit", "límite de tiempo"),
+}
+NOUNS = {"edge": "arista", "strip": "tira", "triangle": "triángulo", "cell": "celda"}
+
+
+def in_both(words):
+    return {"en": words[0], "es": words[1]}
+
+
+def name_cause(part, folder):
+    """Gives a case, check or result the name of its cause; results of s3 are of an earlier version."""
+    if part["cause"] and folder != "s3":
+        slug = part["cause"]
+        part["cause_name"] = in_both(CAUSE_NAMES.get(slug, (slug.replace("-", " "), VERDICTS.get(slug, slug))))
+    return part
+
+
+def element_of(english, folder):
+    if folder == "s3":
+        return english
+    return in_both((english, " ".join(NOUNS.get(word, word) for word in english.split(" "))))
+
+
+VERDICTS = {"forbidden-operation": "operación prohibida", "out-of-memory": "memoria agotada",
+            "too-many-processes": "demasiados procesos", "too-much-output": "demasiada salida",
+            "too-much-disk": "demasiado disco", "cpu-time": "límite de tiempo de CPU",
+            "idle-time": "límite de tiempo de espera", "crash": "el programa se rompió",
+            "undefined-behaviour": "comportamiento indefinido", "leak": "fuga de memoria",
+            "grows-too-fast": "crece demasiado", "too-much-work": "demasiado trabajo",
+            "too-much-memory": "demasiada memoria", "compile-error": "no compila",
+            "fault": "fallo del corrector", "flagged": "pendiente de revisión", "not-reached": "no se llegó"}
 
 
 def packed(kind, values):
@@ -218,7 +257,7 @@ SCENES = {"disc": edge_scene, "grid-hole": edge_scene, "two-cubes-at-an-edge": e
           "strips-4x6": strips_scene, "voxels-12": lambda: voxel_scene(12), "formula-16": chart_scene}
 
 
-def growth(verdict):
+def growth(verdict, folder):
     sizes = [128 * 2 ** i for i in range(7)]
     families = []
     for name, factor in (("grid-scrambled", 1.0), ("fan", 1.25)):
@@ -226,17 +265,19 @@ def growth(verdict):
         quadratic = verdict == "grows-too-fast" and name == "fan"
         own = [int(6.5 * n * n + 300 * n) if quadratic else int(factor * 325 * n + 9000) for n in sizes]
         fit = {"class": "n^2" if quadratic else "n", "exponent": 1.94 if quadratic else 0.99,
-               "excess_percent": 4300.0 if quadratic else 0.0}
+               "excess_percent": 97.5 if quadratic else 0.0}
         families.append({"name": name, "sizes": sizes, "instructions": own, "reference_instructions": reference,
                          "fit": fit})
-    return {"allowed": "n lg n", "element": {"en": "triangle", "es": "triángulo"}, "families": families}
+    counted = {"element": {"en": "triangle", "es": "triángulo"}} if folder == "s3" else {
+        "elements": {"en": "triangles", "es": "triángulos"}}
+    return {"allowed": "n lg n", **counted, "families": families}
 
 
-def measures(verdict):
+def measures(verdict, folder):
     greedy = verdict == "too-much-memory"
     peak = 753664 if greedy else 131072
     sizes = [128 * 2 ** i for i in range(7)]
-    return {"growth": growth(verdict),
+    return {"growth": growth(verdict, folder),
             "work": {"ratio": 61.25 if verdict == "too-much-work" else 1.52, "band": 40,
                      "instruction_ratio": 1.61, "miss_ratio": 1.1},
             "memory": {"size": 8192, "peak_bytes": peak, "reference_peak_bytes": 65536, "ratio": peak / 65536,
@@ -262,11 +303,11 @@ def classes_and_cases(exercise, verdict, failing, student_folder):
                     "seed": "20250917", "public": True,
                     "reproduce": "meshgrade check %s FILE... --case %s" % (exercise["exercise"], slug)}
             if bad and ran:
-                case["element"] = element if verdict == "wrong-answer" else ""
+                case["element"] = element_of(element if verdict == "wrong-answer" else "", student_folder)
                 if slug in SCENES and verdict == "wrong-answer":
                     case["scene"] = True
                     write_scene(student_folder, exercise["exercise"], slug)
-            cases.append(case)
+            cases.append(name_cause(case, student_folder))
         cases.append({"name": name + "-basic", "class": name,
                       "verdict": "passed" if ran else "not-reached", "cause": "",
                       "message": {"en": "", "es": ""}, "seed": "7", "public": name == "open",
@@ -279,29 +320,31 @@ def classes_and_cases(exercise, verdict, failing, student_folder):
 
 def write_scene(folder, exercise, case):
     scene = SCENES[case]()
-    scene["title"] = case.replace("-", " ")
+    scene["title"] = in_both((case.replace("-", " "), case.replace("-", " ") + " (es)"))
     scene["subtitle"] = exercise
     scene["metadata"] = {"exercise": exercise, "case": case, "verdict": "wrong-answer", "seed": "20250917",
                          "student": HOSTILE_NAME}
     write("pictures/%s/%s/%s.json" % (folder, exercise, case), scene)
 
 
-def checks_of(verdict, basic):
+def checks_of(verdict, basic, folder):
     checks = []
     for name, en, es, points, failure in CHECKS:
         own = verdict if verdict == failure else "passed"
         if not basic:
             own = "not-reached"
         message = SENTENCES[failure] if own == failure else ("", "")
-        checks.append({"name": name, "title": {"en": en, "es": es}, "points": points if own == "passed" else 0,
-                       "max_points": points, "verdict": own, "cause": "" if own == "passed" else own, "message": {"en": message[0], "es": message[1]}})
+        check = {"name": name, "title": {"en": en, "es": es}, "points": points if own == "passed" else 0,
+                 "max_points": points, "verdict": own, "cause": "" if own == "passed" else own,
+                 "message": in_both(message)}
+        checks.append(name_cause(check, folder))
     return checks
 
 
 def result(student, folder, exercise, verdict, failing):
     classes, cases = classes_and_cases(exercise, verdict, failing, folder)
     basic = exercise["classes"][0][0] not in failing and verdict not in ("compile-error", "fault")
-    checks = checks_of(verdict, basic)
+    checks = checks_of(verdict, basic, folder)
     score = sum(part["points"] for part in classes + checks)
     causes = [case["cause"] for case in cases if case["cause"]]
     sentence = SENTENCES[verdict]
@@ -310,7 +353,7 @@ def result(student, folder, exercise, verdict, failing):
     hostile = folder in ("s4", "s5")
     diagnostics = ("edges.c:12:5: error: expected ';' before 'return'\n   12 |     return\n      |     ^~~~~~\n"
                    if verdict == "compile-error" else "")
-    return {
+    return name_cause({
         "schema": "meshgrade-result-1", "student": student, "student_folder": folder,
         "exercise": exercise["exercise"], "group": exercise["group"],
         "course": {"en": "Computer graphics", "es": "Informática gráfica"},
@@ -319,7 +362,7 @@ def result(student, folder, exercise, verdict, failing):
         "score": None if verdict in ("fault", "flagged") else score, "max_score": 10,
         "summary": {"en": sentence[0], "es": sentence[1]},
         "classes": classes, "checks": checks, "cases": cases,
-        "measures": measures(verdict) if basic and verdict != "fault" else {},
+        "measures": measures(verdict, folder) if basic and verdict != "fault" else {},
         "build": {"ok": verdict != "compile-error", "cause": "syntax" if verdict == "compile-error" else "",
                   "diagnostics": diagnostics + (HOSTILE_TEXT if hostile else "")},
         "output": HOSTILE_TEXT if hostile else "visited 128 triangles\n" if verdict == "passed" else "",
@@ -330,7 +373,7 @@ def result(student, folder, exercise, verdict, failing):
         "submission": {"files": [{"name": exercise["exercise"] + ".c", "bytes": 1834, "sha256": "0" * 64}]
                        + ([{"name": "<img src=x onerror=alert(2)>.c", "bytes": 3, "sha256": "1" * 64}] if hostile else [])},
         "engine": {"version": "0.1", "compiler": "gcc 12.2.0", "seed": "1"},
-    }
+    }, folder)
 
 
 def write(path, value):
