@@ -47,15 +47,13 @@ double angle_between(const double a[3], const double b[3])
 {
     double most_a = fmax(fmax(fabs(a[0]), fabs(a[1])), fabs(a[2]));
     double most_b = fmax(fmax(fabs(b[0]), fabs(b[1])), fabs(b[2]));
-    double u[3], v[3], cross[3];
     if (!(most_a > 0 && most_b > 0))
         return NAN;
-    for (int i = 0; i < 3; i++) { /* so that no square overflows or vanishes */
-        u[i] = a[i] / most_a;
-        v[i] = b[i] / most_b;
-    }
-    for (int i = 0; i < 3; i++)
-        cross[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+    /* Divided, so that no square overflows or vanishes. */
+    const double u[3] = {a[0] / most_a, a[1] / most_a, a[2] / most_a};
+    const double v[3] = {b[0] / most_b, b[1] / most_b, b[2] / most_b};
+    const double cross[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                             u[0] * v[1] - u[1] * v[0]};
     double along = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     return atan2(sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]), along);
 }
@@ -75,13 +73,12 @@ struct real_row {
     int width;
 };
 
-static void load_row(const struct reals *found, const double *right, int64_t number, int width,
+static void load_row(const struct reals *found, const double *right, int64_t number,
                      const struct real_rule *rule, struct real_row *row)
 {
-    row->width = width;
     row->scale = rule->scale ? rule->scale[number] : (double)NAN;
-    for (int i = 0; i < width; i++) {
-        int64_t at = number * width + i;
+    for (int i = 0; i < row->width; i++) {
+        int64_t at = number * row->width + i;
         row->found[i] = found->floats ? (double)found->floats[at] : found->doubles[at];
         row->right[i] = right[at];
     }
@@ -151,8 +148,8 @@ static void look_at_row(const struct real_row *row, int64_t number, const struct
         if (!is_wrong(d))
             continue;
         note_wrong(fault, number, row, column);
-        bool is_worse =
-            excess_of(d) > *worst || (excess_of(d) == *worst && d.error > fault->worst_error);
+        bool is_alike = excess_of(d) == *worst && isinf(*worst); /* where nothing is allowed */
+        bool is_worse = excess_of(d) > *worst || (is_alike && d.error > fault->worst_error);
         if (fault->worst_row < 0 || is_worse) {
             *worst = excess_of(d);
             fault->worst_row = number;
@@ -177,8 +174,8 @@ int reals_compare(const struct reals *found, const double *right, int64_t row_co
         return error_set(err, "out of memory: comparing %" PRId64 " rows", row_count);
     double worst = 0;
     for (int64_t number = 0; number < row_count; number++) {
-        struct real_row row;
-        load_row(found, right, number, width, rule, &row);
+        struct real_row row = {.width = width};
+        load_row(found, right, number, rule, &row);
         look_at_row(&row, number, rule, &worst, fault);
     }
     return 0;
@@ -208,8 +205,8 @@ static bool explains(const struct mistake *mistake, const struct reals *found, c
                      const void *context)
 {
     for (int64_t number = 0; number < row_count; number++) {
-        struct real_row row;
-        load_row(found, right, number, width, rule, &row);
+        struct real_row row = {.width = width};
+        load_row(found, right, number, rule, &row);
         make_mistake(mistake, &row, number, context);
         for (int column = 0; column < width; column++)
             if (is_wrong(deviation_of(&row, column, rule, mistake->slack)))
@@ -222,7 +219,7 @@ const struct mistake *reals_mistake(const struct reals *found, const double *rig
                                     int64_t row_count, int width, const struct real_rule *rule,
                                     const struct mistake *list, const void *context)
 {
-    if (width < 1 || width > REAL_WIDTH_MOST)
+    if (width < 1 || width > REAL_WIDTH_MOST || (rule->kind == REAL_DIRECTIONS && width != 3))
         return NULL;
     for (const struct mistake *mistake = list; mistake->cause.slug; mistake++)
         if (explains(mistake, found, right, row_count, width, rule, context))

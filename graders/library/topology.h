@@ -52,6 +52,7 @@ struct face_edge {
 /* A vertex that some face uses, which may be degenerate. */
 struct face_vertex {
     int32_t vertex;         /* its number */
+    int32_t component;      /* of the faces at it; see below */
     int32_t face_count;     /* proper faces at it */
     int32_t fan_count;      /* groups of these that hang together by edges at the vertex */
     int32_t sheet_count;    /* the same by edges of just two sides: what it takes to part them */

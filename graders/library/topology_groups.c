@@ -42,6 +42,17 @@ static int64_t label_faces(const struct face_topology *t, struct groups *groups,
     return count;
 }
 
+static void label_vertices(struct face_topology *t, const int32_t *of_corner)
+{
+    for (int64_t f = 0; f < t->table.face_count; f++) {
+        if (t->component[f] < 0)
+            continue;
+        int64_t count, first = topology_face(t, f, &count);
+        for (int64_t c = first; c < first + count; c++)
+            t->vertices[of_corner[c]].component = t->component[f];
+    }
+}
+
 /* Faces that share a vertex, degenerate ones too. */
 static int join_components(struct face_topology *t, const int32_t *of_corner, struct error *err)
 {
@@ -60,6 +71,8 @@ static int join_components(struct face_topology *t, const int32_t *of_corner, st
     }
     if (stands_for)
         t->component_count = label_faces(t, &vertices, t->used_count, stands_for, t->component);
+    if (t->component_count >= 0)
+        label_vertices(t, of_corner);
     free(stands_for);
     groups_release(&vertices);
     return t->component_count < 0 ? out_of_memory(t, err) : 0;

@@ -315,6 +315,9 @@ static void assert_groups(const struct faces *f, const struct face_topology *t)
             continue;
         }
         const struct face_vertex *vertex = &t->vertices[index];
+        for (int i = 0; i < f->count; i++)
+            if (has_vertex(f, i, v))
+                assert_int_equal(vertex->component, t->component[i]);
         int fans = group_slowly(f, at, BY_EDGE_AT, v, label);
         assert_int_equal(vertex->face_count, faces);
         assert_int_equal(vertex->fan_count, fans);
