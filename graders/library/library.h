@@ -51,6 +51,13 @@
  *   cycles.h    sets of cyclic sequences: the first step that differs, reversed ones
  *   partition.h labels up to their names
  *   topology.h  edges, fans, loops, components, Euler number of an input or of an answer
+ *   structure.h winged edges and half edges against their faces: which entry is wrong
+ *   surface.h   meshes up to the numbers of vertices, told by a table or by position
+ *   tolerance.h reals by absolute, relative, ulp and angular tolerance; usual mistakes recognised
+ *   tiling.h    triangles that tile a polygon, by exact predicates (plane.h)
+ *   distance.h  how far surfaces are apart
+ *   hints.h     what all wrong elements have in common; ready-made: topology_hints.h
+ *                   judge_hint(out, hint_find(rules, count, &context, edge_count, is_missing))
  *   edge_table.h  tables of edges, with the usual mistakes recognised (edge_hints.h)
  *   lattice.h, sphere.h  grids and spheres by where their vertices lie
  *   mesh_area.h exact areas
@@ -82,6 +89,7 @@
 
 #include "graders/library/cases.h"
 #include "graders/library/cycles.h"
+#include "graders/library/distance.h"
 #include "graders/library/edge_table.h"
 #include "graders/library/judge.h"
 #include "graders/library/lattice.h"
@@ -89,7 +97,12 @@
 #include "graders/library/partition.h"
 #include "graders/library/questions.h"
 #include "graders/library/sphere.h"
+#include "graders/library/structure.h"
+#include "graders/library/surface.h"
+#include "graders/library/tiling.h"
+#include "graders/library/tolerance.h"
 #include "graders/library/topology.h"
+#include "graders/library/topology_hints.h"
 #include "graders/library/tuples.h"
 #include "graders/scene/show.h"
 
