@@ -70,8 +70,7 @@
  *
  * 5. Showing it (graders/scene)
  *
- *     task_show(task, out, err);                                  the input, before any mark: a mark
- *                                                                 on no vertex is not drawn
+ *     task_show(task, out, err);                                  the input
  *     scene_mark_edge(&out->scene, MARK_MISSING, a, b);           the first mark is what the verdict
  *     scene_mark_arrow(&out->scene, MARK_WRONG, a, b);            names: pictures magnify it
  *     scene_mark_path(&out->scene, mark_turn(i), vertices, n, true);
