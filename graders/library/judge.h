@@ -161,8 +161,7 @@ int judge_answer(const struct judge *judge, struct span input, struct span answe
 
 /* -- for judges -------------------------------------------------------------------------------- */
 
-/* Puts the input's mesh or polygons into the scene of a rejection; marks come afterwards, since only
- * those on vertices that the scene has are drawn. Returns 0, or -1 and *err. */
+/* Puts the input's mesh or polygons into the scene of a rejection. Returns 0, or -1 and *err. */
 int task_show(const struct task *task, struct judgement *out, struct error *err) MUST_CHECK;
 
 #endif

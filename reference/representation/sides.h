@@ -19,9 +19,8 @@
 
 /* Faces with any number of corners, borrowed from the caller. */
 struct polygons {
-    const int32_t *corners; /* vertex indices, face after face; each in [0, vertex_count) */
-    const int32_t
-        *face_starts; /* face f has corners face_starts[f] ... face_starts[f + 1] - 1, at
+    const int32_t *corners;     /* vertex indices, face after face; each in [0, vertex_count) */
+    const int32_t *face_starts; /* face f has corners face_starts[f] ... face_starts[f + 1] - 1, at
                          least 3; face_count + 1 entries. NULL: triangles, 3f ... 3f + 2 */
     int32_t vertex_count;
     int32_t face_count;

@@ -29,8 +29,8 @@ static json_t *family_json(const struct trial *trial, int family)
                                   json_integer(yardstick->costs[family][i].counts.instructions));
     }
     json_t *json =
-        json_pack("{s:s, s:o, s:o, s:o}", "name", judge_family_name(yardstick->judge, family), "sizes",
-                  sizes, "instructions", mine, "reference_instructions", theirs);
+        json_pack("{s:s, s:o, s:o, s:o}", "name", judge_family_name(yardstick->judge, family),
+                  "sizes", sizes, "instructions", mine, "reference_instructions", theirs);
     if (found->fitted)
         json_object_set_new(json, "fit", fit_json(&found->fit));
     return json;
@@ -58,8 +58,8 @@ static json_t *family_memory_json(const struct trial *trial, int family)
         json_array_append_new(mine, json_integer(cost->heap_peak_bytes));
         json_array_append_new(theirs, json_integer(yardstick->costs[family][i].heap_peak_bytes));
     }
-    return json_pack("{s:s, s:o, s:o, s:o}", "name", judge_family_name(yardstick->judge, family), "sizes",
-                     sizes, "peak_bytes", mine, "reference_peak_bytes", theirs);
+    return json_pack("{s:s, s:o, s:o, s:o}", "name", judge_family_name(yardstick->judge, family),
+                     "sizes", sizes, "peak_bytes", mine, "reference_peak_bytes", theirs);
 }
 
 static json_t *memory_json(const struct trial *trial)

@@ -176,12 +176,15 @@ static void reject_missing(const struct check *check, struct judgement *out)
 }
 
 /* The loops of the answer in turn colours, behind what is wrong. */
-static void show_loops(const struct check *check, struct scene *scene)
+static int show(const struct task *task, const struct check *check, struct judgement *out,
+                struct error *err)
 {
     for (int64_t l = 0; l < check->loops->row_count; l++)
-        scene_mark_path(scene, mark_turn(l), loop_vertices(check, l), loop_length(check, l), true);
-    scene_name_turns(scene, loops_found, check->loops->row_count);
-    scene->ok_count = -1;
+        scene_mark_path(&out->scene, mark_turn(l), loop_vertices(check, l), loop_length(check, l),
+                        true);
+    scene_name_turns(&out->scene, loops_found, check->loops->row_count);
+    out->scene.ok_count = -1;
+    return task_show(task, out, err);
 }
 
 static int judge(const struct task *task, struct judgement *out, struct error *err)
@@ -192,18 +195,16 @@ static int judge(const struct task *task, struct judgement *out, struct error *e
     if (topology_build(&faces, &t, err))
         return -1;
     struct check check = {&t, &task->answer.table[0], calloc((size_t)t.edge_count + 1, 1), 0};
-    int failed = check.passed ? task_show(task, out, err) : error_set(err, "out of memory");
+    int failed = check.passed ? 0 : error_set(err, "out of memory");
     bool right = !failed;
     for (int64_t l = 0; right && l < check.loops->row_count; l++)
         right = follow_loop(&check, l, out);
-    if (right && check.passed_count == t.boundary.count) {
-        scene_release(&out->scene); /* only a rejection shows something */
+    if (right && check.passed_count == t.boundary.count)
         judge_accept(out);
-    } else if (right) {
+    else if (right)
         reject_missing(&check, out);
-    }
     if (!failed && !out->accepted)
-        show_loops(&check, &out->scene);
+        failed = show(task, &check, out, err);
     free(check.passed);
     topology_release(&t);
     return failed;
