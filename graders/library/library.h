@@ -77,16 +77,10 @@
  *
  * 5. Showing it (graders/scene)
  *
-<<<<<<< HEAD
  *     task_show(task, out, err);                           the input, before any mark: a mark on no
  *                                                          vertex of it is not drawn
  *     scene_mark_edge(&out->scene, MARK_MISSING, a, b);    first what the verdict names: pictures
  *     scene_mark_arrow(&out->scene, MARK_WRONG, a, b);     magnify the first mark
-=======
- *     task_show(task, out, err);                                  the input
- *     scene_mark_edge(&out->scene, MARK_MISSING, a, b);           the first mark is what the verdict
- *     scene_mark_arrow(&out->scene, MARK_WRONG, a, b);            names: pictures magnify it
->>>>>>> loops
  *     scene_mark_path(&out->scene, mark_turn(i), vertices, n, true);
  *     scene_label_face(&out->scene, corners, n, number);
  */
