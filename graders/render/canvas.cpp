@@ -24,12 +24,15 @@ class painted_item : public vtkContextItem
     vtkTypeMacro(painted_item, vtkContextItem);
     bool Paint(vtkContext2D *context) override
     {
+        if (below)
+            context->DrawImage(0, 0, below);
         paper sheet(context, width, height);
         for (auto &paint : painters)
             paint(sheet);
         return true;
     }
     int width = 0, height = 0;
+    vtkSmartPointer<vtkImageData> below; /* null: the world is drawn with it */
     std::vector<std::function<void(paper &)>> painters;
 };
 vtkStandardNewMacro(painted_item);
@@ -142,7 +145,56 @@ static image averaged(const uint8_t *drawn, int width, int height, int n)
     return picture;
 }
 
-image canvas::draw()
+/* Draws layers into pixels, rows from the lowest on. */
+static vtkSmartPointer<vtkUnsignedCharArray> pixels_of(const std::vector<vtkRenderer *> &renderers,
+                                                       int width, int height)
+{
+    vtkNew<headless_window> window;
+    if (!window->open(width, height))
+        throw std::runtime_error("OpenGL is gone");
+    window->SetNumberOfLayers(5);
+    for (vtkRenderer *renderer : renderers)
+        window->AddRenderer(renderer);
+    window->Render();
+    std::string error = take_vtk_error();
+    if (!error.empty())
+        throw std::runtime_error("VTK: " + error);
+    vtkNew<vtkUnsignedCharArray> pixels;
+    window->GetPixelData(0, 0, width - 1, height - 1, 0, pixels.Get(), 0);
+    if (pixels->GetNumberOfValues() != vtkIdType(3) * width * height)
+        throw std::runtime_error("OpenGL gave no pixels");
+    for (vtkRenderer *renderer : renderers)
+        window->RemoveRenderer(renderer);
+    return pixels.Get();
+}
+
+std::vector<vtkRenderer *> canvas::below_paper()
+{
+    std::vector<vtkRenderer *> renderers = {behind_, world_, front_};
+    renderers.insert(renderers.end(), insets_.begin(), insets_.end());
+    return renderers;
+}
+
+void canvas::draw_world(drawn_world &kept)
+{
+    kept.width = samples_ * width_;
+    kept.height = samples_ * height_;
+    vtkSmartPointer<vtkUnsignedCharArray> pixels =
+        pixels_of(below_paper(), kept.width, kept.height);
+    kept.rgb.assign(pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+}
+
+static vtkSmartPointer<vtkImageData> picture_of(const drawn_world &world)
+{
+    vtkNew<vtkImageData> picture;
+    picture->SetDimensions(world.width, world.height, 1);
+    picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    std::copy(world.rgb.begin(), world.rgb.end(),
+              static_cast<uint8_t *>(picture->GetScalarPointer()));
+    return picture.Get();
+}
+
+image canvas::draw(drawn_world *kept)
 {
     int w = samples_ * width_, h = samples_ * height_;
     vtkNew<painted_item> item;
@@ -152,25 +204,15 @@ image canvas::draw()
     vtkNew<vtkContextActor> actor;
     actor->GetScene()->AddItem(item);
     top_->AddActor(actor);
-    vtkNew<headless_window> window;
-    if (!window->open(w, h))
-        throw std::runtime_error("OpenGL is gone");
-    std::vector<vtkRenderer *> renderers = {behind_, world_, front_};
-    renderers.insert(renderers.end(), insets_.begin(), insets_.end());
+    std::vector<vtkRenderer *> renderers;
+    if (kept) {
+        if (kept->width != w || kept->height != h)
+            draw_world(*kept);
+        item->below = picture_of(*kept);
+        top_->SetLayer(0);
+    } else {
+        renderers = below_paper();
+    }
     renderers.push_back(top_);
-    window->SetNumberOfLayers(5);
-    for (vtkRenderer *renderer : renderers)
-        window->AddRenderer(renderer);
-    window->Render();
-    std::string error = take_vtk_error();
-    if (!error.empty())
-        throw std::runtime_error("VTK: " + error);
-    vtkNew<vtkUnsignedCharArray> pixels;
-    window->GetPixelData(0, 0, w - 1, h - 1, 0, pixels.Get(), 0);
-    if (pixels->GetNumberOfValues() != vtkIdType(3) * w * h)
-        throw std::runtime_error("OpenGL gave no pixels");
-    image picture = averaged(pixels->GetPointer(0), width_, height_, samples_);
-    for (vtkRenderer *renderer : renderers)
-        window->RemoveRenderer(renderer);
-    return picture;
+    return averaged(pixels_of(renderers, w, h)->GetPointer(0), width_, height_, samples_);
 }

@@ -13,6 +13,12 @@
 
 enum class backdrop { gradient, plain };
 
+/* What a canvas drew below its paper. The same picture with other words needs only new paper. */
+struct drawn_world {
+    int width = 0, height = 0; /* 0: nothing was drawn yet */
+    std::vector<uint8_t> rgb;  /* rows from the lowest on, as OpenGL has them */
+};
+
 class canvas
 {
   public:
@@ -45,10 +51,15 @@ class canvas
     /* Adds something to draw on the paper; called at draw(), in order. */
     void on_paper(std::function<void(paper &)> paint);
 
-    /* Throws std::runtime_error when OpenGL fails. */
-    image draw();
+    /* Throws std::runtime_error when OpenGL fails.
+     *
+     * kept  of an earlier canvas with the same world, which is then not drawn again; gets what was
+     *       drawn when it holds nothing; null: draw everything at once */
+    image draw(drawn_world *kept = nullptr);
 
   private:
+    std::vector<vtkRenderer *> below_paper();
+    void draw_world(drawn_world &kept);
     void set_backdrop(backdrop behind);
 
     int width_, height_, samples_;

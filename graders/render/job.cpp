@@ -1,12 +1,15 @@
 /* See job.hpp. */
 #include "graders/render/job.hpp"
+#include "graders/render/canvas.hpp"
 #include "graders/render/json_values.hpp"
 #include "graders/render/text.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <jansson.h>
+#include <memory>
 #include <stdexcept>
 
 namespace
@@ -34,21 +37,44 @@ std::string located(const std::filesystem::path &folder, const std::string &path
     return path.empty() ? "" : (folder / path).string();
 }
 
+/* The languages in which a part of the job is made: those of {"out": {"en": ..., "es": ...}}, or
+ * the one that it names. */
+std::vector<std::string> languages_of(const json_t *json)
+{
+    const json_t *out = json_object_get(json, "out");
+    std::vector<std::string> languages;
+    for (const char *language : {"en", "es"})
+        if (!string_at(out, language).empty())
+            languages.push_back(language);
+    if (languages.empty())
+        languages.push_back(string_at(json, "language"));
+    return languages;
+}
+
+std::string out_in(const json_t *json, const std::string &language)
+{
+    const json_t *out = json_object_get(json, "out");
+    return string_at(json_is_object(out) ? out : json,
+                     json_is_object(out) ? language.c_str() : "out");
+}
+
 picture_job read_picture(const json_t *json, const std::filesystem::path &folder)
 {
     picture_job one;
     one.scene_path = located(folder, string_at(json, "scene"));
-    one.out_path = located(folder, string_at(json, "out"));
-    one.language = string_at(json, "language");
+    for (const std::string &language : languages_of(json))
+        one.outs.push_back({language, located(folder, out_in(json, language))});
     one.size.width = bounded_at(json, "width", one.size.width, side_least, side_most);
     one.size.height = bounded_at(json, "height", one.size.height, side_least, side_most);
     return one;
 }
 
-sheet_job read_sheet(json_t *json, const std::filesystem::path &folder)
+sheet_job read_sheet(const json_t *both, const std::string &language,
+                     const std::filesystem::path &folder)
 {
     sheet_job one;
-    choose_language(json, string_at(json, "language"));
+    json_t *json = json_deep_copy(both);
+    choose_language(json, language);
     one.content.title = string_at(json, "title");
     one.content.subtitle = string_at(json, "subtitle");
     one.content.columns = bounded_at(json, "columns", one.content.columns, 1, 100);
@@ -59,15 +85,19 @@ sheet_job read_sheet(json_t *json, const std::filesystem::path &folder)
         one.content.cells.push_back(
             {located(folder, string_at(cell, "picture")), string_at(cell, "caption")});
     }
+    json_decref(json);
     return one;
 }
 
-void make_picture(const picture_job &one)
+/* A picture of a scene; `world` is what those in other languages have drawn, or null. */
+void make_picture(const picture_job &one, const picture_out &out,
+                  const std::shared_ptr<drawn_world> &world)
 {
     scene shown;
     image picture;
     try {
-        read_scene(one.scene_path, one.language, shown);
+        shown.world = world;
+        read_scene(one.scene_path, out.language, shown);
         picture = draw_scene(shown, one.size);
     } catch (const not_showable &why) {
         picture = draw_tile(shown,
@@ -75,7 +105,7 @@ void make_picture(const picture_job &one)
                                 std::string(why.what()),
                             one.size);
     }
-    write_image(picture, shown.notes, one.out_path);
+    write_image(picture, shown.notes, out.path);
 }
 
 void make_sheet(const sheet_job &one)
@@ -85,20 +115,30 @@ void make_sheet(const sheet_job &one)
     write_image(draw_sheet(one.content), notes, one.out_path);
 }
 
-/* Runs one part of the job; a failure is said in a line and counted. */
-template <class make, class part> int attempt(make &&function, const part &one)
+/* Makes one file; a failure is said in a line and counted. */
+int attempt(const std::string &out_path, const std::function<void()> &make)
 {
     try {
-        if (one.out_path.empty())
+        if (out_path.empty())
             throw std::runtime_error("the job names no \"out\"");
-        function(one);
+        make();
         return 0;
     } catch (const std::exception &why) {
         std::string text = clean_text(why.what(), 300);
-        std::string path = clean_text(one.out_path, 300);
+        std::string path = clean_text(out_path, 300);
         std::fprintf(stderr, "meshgrade-render: %s: not drawn: %s\n", path.c_str(), text.c_str());
         return 1;
     }
+}
+
+int make_pictures(const picture_job &one)
+{
+    std::shared_ptr<drawn_world> world =
+        one.outs.size() > 1 ? std::make_shared<drawn_world>() : nullptr;
+    int failures = 0;
+    for (const picture_out &out : one.outs)
+        failures += attempt(out.path, [&] { make_picture(one, out, world); });
+    return failures;
 }
 } // namespace
 
@@ -113,9 +153,10 @@ job read_job(const std::string &path)
     const json_t *pictures = json_object_get(json, "pictures");
     for (size_t i = 0; i < json_array_size(pictures); i++)
         work.pictures.push_back(read_picture(json_array_get(pictures, i), folder));
-    json_t *sheets = json_object_get(json, "sheets");
+    const json_t *sheets = json_object_get(json, "sheets");
     for (size_t i = 0; i < json_array_size(sheets); i++)
-        work.sheets.push_back(read_sheet(json_array_get(sheets, i), folder));
+        for (const std::string &language : languages_of(json_array_get(sheets, i)))
+            work.sheets.push_back(read_sheet(json_array_get(sheets, i), language, folder));
     bool is_job = json_is_object(json);
     json_decref(json);
     if (!is_job)
@@ -127,8 +168,8 @@ int run_job(const job &work)
 {
     int failures = 0;
     for (const picture_job &one : work.pictures)
-        failures += attempt(make_picture, one);
+        failures += make_pictures(one);
     for (const sheet_job &one : work.sheets)
-        failures += attempt(make_sheet, one);
+        failures += attempt(one.out_path, [&] { make_sheet(one); });
     return failures;
 }

@@ -7,9 +7,14 @@
 #include <string>
 #include <vector>
 
+/* A file in a language, "en" or "es". */
+struct picture_out {
+    std::string language, path;
+};
+
 struct picture_job {
-    std::string scene_path, out_path;
-    std::string language; /* of its words, "en" or "es" */
+    std::string scene_path;
+    std::vector<picture_out> outs; /* the same scene with words in each language */
     picture_size size;
 };
 

@@ -328,5 +328,5 @@ image draw_mesh(const scene &from, picture_size size)
         draw_legend(sheet, legend);
         draw_axes(sheet, look);
     });
-    return target.draw();
+    return target.draw(from.world.get());
 }

@@ -90,9 +90,12 @@ struct fact {
     std::string name, value;
 };
 
+struct drawn_world; /* canvas.hpp */
+
 struct scene {
     scene_kind kind = scene_kind::none;
-    std::string language; /* of the picture's words, "en" or "es" */
+    std::string language;               /* of the picture's words, "en" or "es" */
+    std::shared_ptr<drawn_world> world; /* of this scene in any language; may be null */
     std::string title, subtitle;
     scene_mesh mesh;
     std::vector<edge> outlines; /* of polygons; none: the mesh is one of triangles */

@@ -220,5 +220,5 @@ image draw_strips(const scene &from, picture_size size)
         draw_legend(sheet, legend);
         draw_axes(sheet, look);
     });
-    return target.draw();
+    return target.draw(from.world.get());
 }

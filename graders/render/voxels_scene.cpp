@@ -433,5 +433,5 @@ image draw_voxels(const scene &from, picture_size size)
         draw_legend(sheet, legend);
         draw_axes(sheet, look);
     });
-    return target.draw();
+    return target.draw(from.world.get());
 }

@@ -30,8 +30,9 @@ void page_verdict(struct html *page, const char *verdict);
 /* Whether a file below the report's folder exists. */
 bool page_has_file(const struct page_context *context, const char *path);
 
-/* An <img> in a link to itself. `path` is below the report's folder. */
-void page_picture(struct html *page, const struct page_context *context, const char *path,
+/* An <img> in a link to itself, "<stem>.png" below the report's folder; where there is a
+ * "<stem>.es.png", too, the page shows the one of its language. */
+void page_picture(struct html *page, const struct page_context *context, const char *stem,
                   struct phrase alt);
 
 /* The report's line when pictures are missing: "3 pictures of this class are missing: ...". */

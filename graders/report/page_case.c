@@ -168,7 +168,7 @@ static void write_figure(struct html *page, const struct page_context *context, 
         chart_draw(page, scene, message);
     else if (document_path(picture, &ignored, "%s.png", stem) == 0 &&
              page_has_file(context, picture))
-        page_picture(page, context, picture, message);
+        page_picture(page, context, stem, message);
     if (!is_chart && context->has_three)
         write_view(page, context, stem, scene);
     if (!is_chart) {

@@ -397,7 +397,7 @@ static void write_sheet(struct html *page, const struct page_context *context)
         return;
     html_both_leaf(page, "h2", NULL,
                    (struct phrase){"What went wrong, in pictures", "Qué falló, en imágenes"});
-    page_picture(page, context, "pictures/class.png",
+    page_picture(page, context, "pictures/class",
                  (struct phrase){"Contact sheet: one picture for each frequent cause",
                                  "Hoja de contactos: una imagen por cada causa frecuente"});
 }

@@ -166,8 +166,8 @@ bool page_has_file(const struct page_context *context, const char *path)
            access(full, R_OK) == 0;
 }
 
-void page_picture(struct html *page, const struct page_context *context, const char *path,
-                  struct phrase alt)
+static void write_picture(struct html *page, const struct page_context *context, const char *path,
+                          const char *language, struct phrase alt)
 {
     char from_page[DOCUMENT_PATH_BYTES];
     struct error ignored = {""};
@@ -175,6 +175,8 @@ void page_picture(struct html *page, const struct page_context *context, const c
         return;
     html_open(page, "a");
     html_attribute(page, "class", "picture");
+    if (language)
+        html_attribute(page, "lang", language);
     html_path(page, "href", from_page);
     html_open(page, "img");
     html_path(page, "src", from_page);
@@ -182,6 +184,20 @@ void page_picture(struct html *page, const struct page_context *context, const c
     html_attribute(page, "loading", "lazy");
     html_close(page, "img");
     html_close(page, "a");
+}
+
+void page_picture(struct html *page, const struct page_context *context, const char *stem,
+                  struct phrase alt)
+{
+    char en[DOCUMENT_PATH_BYTES], es[DOCUMENT_PATH_BYTES];
+    struct error ignored = {""};
+    if (document_path(en, &ignored, "%s.png", stem) != 0 ||
+        document_path(es, &ignored, "%s.es.png", stem) != 0)
+        return;
+    bool both = page_has_file(context, es);
+    write_picture(page, context, en, both ? "en" : NULL, alt);
+    if (both)
+        write_picture(page, context, es, "es", alt);
 }
 
 void page_pictures_note(struct html *page, const struct page_context *context)

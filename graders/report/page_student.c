@@ -355,8 +355,9 @@ static void write_heading(struct html *page, const struct page_context *context,
 void page_student(struct html *page, const struct page_context *context,
                   const struct gradebook *book, const struct student *student)
 {
-    char sheet[256];
-    snprintf(sheet, sizeof sheet, "pictures/%s/sheet.png", student->folder);
+    char stem[256], sheet[264];
+    snprintf(stem, sizeof stem, "pictures/%s/sheet", student->folder);
+    snprintf(sheet, sizeof sheet, "%s.png", stem);
     page_begin(page, context, "meshgrade: student", page_course(book),
                has_scene(student, book->exercise_count));
     write_heading(page, context, book, student);
@@ -367,7 +368,7 @@ void page_student(struct html *page, const struct page_context *context,
             write_exercise(page, context, student->results[e]);
     if (page_has_file(context, sheet)) {
         html_both_leaf(page, "h2", NULL, (struct phrase){"All pictures", "Todas las imágenes"});
-        page_picture(page, context, sheet,
+        page_picture(page, context, stem,
                      (struct phrase){"Contact sheet of the pictures above",
                                      "Hoja de contactos de las imágenes anteriores"});
     }

@@ -113,39 +113,64 @@ static void job_release(struct job *job)
     json_decref(job->cells);
 }
 
-static int job_add_cell(struct job *job, const char *picture, const char *caption,
-                        struct error *err)
+static json_t *phrase_json(struct phrase phrase)
+{
+    return json_pack("{s:s, s:s}", "en", phrase.en, "es", phrase.es);
+}
+
+/* The pictures of a scene, "<stem>.png" and "<stem>.es.png", below OUT/pictures. */
+static json_t *outs_of(const char *stem)
+{
+    char en[DOCUMENT_PATH_BYTES], es[DOCUMENT_PATH_BYTES];
+    struct error ignored = {""};
+    if (document_path(en, &ignored, "%s.png", stem) != 0 ||
+        document_path(es, &ignored, "%s.es.png", stem) != 0)
+        return NULL;
+    return phrase_json((struct phrase){en, es});
+}
+
+static int job_add_cell(struct job *job, const char *stem, struct phrase caption, struct error *err)
 {
     if (json_array_size(job->cells) >= SHEET_CELLS)
         return 0;
-    if (json_array_append_new(job->cells,
-                              json_pack("{s:s, s:s}", "picture", picture, "caption", caption)) != 0)
+    if (json_array_append_new(job->cells, json_pack("{s:o, s:o}", "picture", outs_of(stem),
+                                                    "caption", phrase_json(caption))) != 0)
         return error_set(err, "out of memory for a contact sheet");
     return 0;
 }
 
+/* Whether both pictures of a scene, a path without its ending, are there and fresh. */
+static bool has_pictures(const char *out, const char *stem)
+{
+    static const char *const endings[] = {".png", ".es.png"};
+    char scene[DOCUMENT_PATH_BYTES], picture[DOCUMENT_PATH_BYTES];
+    struct error ignored = {""};
+    if (document_path(scene, &ignored, "%s/pictures/%s.json", out, stem) != 0)
+        return false;
+    for (size_t i = 0; i < 2; i++)
+        if (document_path(picture, &ignored, "%s/pictures/%s%s", out, stem, endings[i]) != 0 ||
+            !is_up_to_date(picture, scene))
+            return false;
+    return true;
+}
+
 /* Adds one scene, "<student>/<exercise>/<case>" below OUT/pictures. */
-static int job_add_scene(struct job *job, const char *out, const char *stem, const char *caption,
+static int job_add_scene(struct job *job, const char *out, const char *stem, struct phrase caption,
                          bool chart, struct error *err)
 {
     char scene[DOCUMENT_PATH_BYTES];
-    char picture[DOCUMENT_PATH_BYTES];
-    if (document_path(scene, err, "%s/pictures/%s.json", out, stem) != 0 ||
-        document_path(picture, err, "%s/pictures/%s.png", out, stem) != 0)
+    if (document_path(scene, err, "%s.json", stem) != 0)
         return -1;
-    bool stale = !is_up_to_date(picture, scene);
-    if (document_path(scene, err, "%s.json", stem) != 0 ||
-        document_path(picture, err, "%s.png", stem) != 0)
-        return -1;
-    if (stale) {
+    if (!has_pictures(out, stem)) {
         job->stale++;
         if (json_array_append_new(job->pictures,
-                                  json_pack("{s:s, s:s, s:i, s:i}", "scene", scene, "out", picture,
-                                            "width", chart ? CHART_WIDTH : PICTURE_WIDTH, "height",
+                                  json_pack("{s:s, s:o, s:i, s:i}", "scene", scene, "out",
+                                            outs_of(stem), "width",
+                                            chart ? CHART_WIDTH : PICTURE_WIDTH, "height",
                                             chart ? CHART_HEIGHT : PICTURE_HEIGHT)) != 0)
             return error_set(err, "out of memory for a job");
     }
-    return job_add_cell(job, picture, caption, err);
+    return job_add_cell(job, stem, caption, err);
 }
 
 /* What of an exercise is added: the order on the sheet. */
@@ -195,13 +220,14 @@ static int job_add_folder(struct job *job, const char *out, const json_t *result
         snprintf(caption, sizeof caption, "%s: %.*s", exercise, (int)length, scenes[i]);
         status = document_path(path, err, "%s/%s/%.*s", student, exercise, (int)length, scenes[i]);
         if (status == 0)
-            status = job_add_scene(job, out, path, caption, part == CHARTS, err);
+            status = job_add_scene(job, out, path, (struct phrase){caption, caption},
+                                   part == CHARTS, err);
     }
     free(scenes);
     return status;
 }
 
-/* How many pictures of a job are there and fresh now. */
+/* How many scenes of a job have fresh pictures now. */
 static size_t count_fresh(const struct job *job, const char *out)
 {
     size_t fresh = 0;
@@ -209,15 +235,10 @@ static size_t count_fresh(const struct job *job, const char *out)
     json_t *picture;
     json_array_foreach(job->pictures, i, picture)
     {
-        char scene[DOCUMENT_PATH_BYTES];
-        char made[DOCUMENT_PATH_BYTES];
-        struct error ignored = {""};
-        if (document_path(scene, &ignored, "%s/pictures/%s", out, result_text(picture, "scene")) ==
-                0 &&
-            document_path(made, &ignored, "%s/pictures/%s", out, result_text(picture, "out")) ==
-                0 &&
-            is_up_to_date(made, scene))
-            fresh++;
+        const char *scene = result_text(picture, "scene");
+        char stem[DOCUMENT_PATH_BYTES];
+        snprintf(stem, sizeof stem, "%.*s", (int)(strlen(scene) - strlen(".json")), scene);
+        fresh += has_pictures(out, stem);
     }
     return fresh;
 }
@@ -229,13 +250,14 @@ static void note_undrawn(struct drawing *drawing, size_t count, struct phrase re
     drawing->undrawn += count;
 }
 
-/* Draws a job and its sheet (a path below OUT/pictures), when there is anything to draw. */
-static int draw(struct drawing *drawing, struct job *job, const char *sheet, const char *title,
+/* Draws a job and its sheet (a path below OUT/pictures, without ending), when there is anything to
+ * draw. */
+static int draw(struct drawing *drawing, struct job *job, const char *sheet, struct phrase title,
                 struct error *err)
 {
     char sheet_path[DOCUMENT_PATH_BYTES];
     char path[DOCUMENT_PATH_BYTES];
-    if (document_path(sheet_path, err, "%s/pictures/%s", drawing->out, sheet) != 0 ||
+    if (document_path(sheet_path, err, "%s/pictures/%s.png", drawing->out, sheet) != 0 ||
         document_path(path, err, "%s/pictures/job-%d.json", drawing->out, (int)getpid()) != 0)
         return -1;
     bool sheet_was_there = access(sheet_path, R_OK) == 0;
@@ -245,9 +267,9 @@ static int draw(struct drawing *drawing, struct job *job, const char *sheet, con
         note_undrawn(drawing, job->stale, drawing->reason);
         return 0;
     }
-    json_t *json = json_pack("{s:O, s:[{s:s, s:s, s:s, s:i, s:O}]}", "pictures", job->pictures,
-                             "sheets", "title", title, "subtitle", "", "out", sheet, "columns",
-                             SHEET_COLUMNS, "cells", job->cells);
+    json_t *json = json_pack("{s:O, s:[{s:o, s:s, s:o, s:i, s:O}]}", "pictures", job->pictures,
+                             "sheets", "title", phrase_json(title), "subtitle", "", "out",
+                             outs_of(sheet), "columns", SHEET_COLUMNS, "cells", job->cells);
     int status =
         json ? document_write_json(path, json, err) : error_set(err, "out of memory for a job");
     json_decref(json);
@@ -271,8 +293,9 @@ static int draw_student(struct drawing *drawing, const struct gradebook *book,
                         const struct student *student, struct error *err)
 {
     struct job job;
+    const char *name = json_string_value(student->name);
     char sheet[200];
-    snprintf(sheet, sizeof sheet, "%s/sheet.png", student->folder);
+    snprintf(sheet, sizeof sheet, "%s/sheet", student->folder);
     int status = job_start(&job, err);
     for (int part = 0; part < PART_COUNT; part++) /* each cause stands once at the beginning */
         for (size_t e = 0; status == 0 && e < book->exercise_count; e++)
@@ -280,7 +303,7 @@ static int draw_student(struct drawing *drawing, const struct gradebook *book,
                 status =
                     job_add_folder(&job, drawing->out, student->results[e], (enum part)part, err);
     if (status == 0)
-        status = draw(drawing, &job, sheet, json_string_value(student->name), err);
+        status = draw(drawing, &job, sheet, (struct phrase){name, name}, err);
     job_release(&job);
     return status;
 }
@@ -370,19 +393,20 @@ static int add_causes(struct job *job, const char *out, const struct gradebook *
         char stem[DOCUMENT_PATH_BYTES];
         char picture[DOCUMENT_PATH_BYTES];
         char slug[64];
-        char caption[300];
+        struct message caption;
         if (!cause->case_name)
             continue;
-        snprintf(caption, sizeof caption, "%s: %s (%zu of %zu)", book->exercises[exercise].name,
-                 causes_name(cause, slug, sizeof slug).en, cause->student_count,
-                 causes.answer_count);
+        message_say(&caption, "%s: ", "%s: ", book->exercises[exercise].name);
+        message_add_phrase(&caption, causes_name(cause, slug, sizeof slug));
+        message_add(&caption, " (%zu of %zu)", " (%zu de %zu)", cause->student_count,
+                    causes.answer_count);
         status =
             document_path(stem, err, "%s/%s/%s", result_text(cause->scene_result, "student_folder"),
                           book->exercises[exercise].name, cause->case_name);
         if (status == 0)
             status = document_path(picture, err, "%s/pictures/%s.png", out, stem);
         if (status == 0 && access(picture, R_OK) == 0)
-            status = job_add_scene(job, out, stem, caption, false, err);
+            status = job_add_scene(job, out, stem, message_phrase(&caption), false, err);
     }
     causes_release(&causes);
     return status;
@@ -391,16 +415,19 @@ static int add_causes(struct job *job, const char *out, const struct gradebook *
 static int draw_class(struct drawing *drawing, const struct gradebook *book, struct error *err)
 {
     struct job job;
+    static const char *const sheets[] = {"class.png", "class.es.png"};
     char sheet[DOCUMENT_PATH_BYTES];
     int status = job_start(&job, err);
     for (size_t e = 0; status == 0 && e < book->exercise_count; e++)
         status = add_causes(&job, drawing->out, book, e, err);
     /* Captions change with every result, so it is made anew whenever anything was drawn. */
-    if (status == 0 && drawing->drawn > 0 &&
-        document_path(sheet, err, "%s/pictures/class.png", drawing->out) == 0)
-        unlink(sheet);
+    for (size_t i = 0; status == 0 && drawing->drawn > 0 && i < 2; i++)
+        if (document_path(sheet, err, "%s/pictures/%s", drawing->out, sheets[i]) == 0)
+            unlink(sheet);
     if (status == 0)
-        status = draw(drawing, &job, "class.png", "The most frequent causes", err);
+        status =
+            draw(drawing, &job, "class",
+                 (struct phrase){"The most frequent causes", "Las causas más frecuentes"}, err);
     job_release(&job);
     return status;
 }

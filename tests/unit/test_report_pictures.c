@@ -27,7 +27,7 @@ static const char drawing_script[] =
     "cd \"$(dirname \"$1\")\" || exit 2\n"
     "job=$(basename \"$1\")\n"
     "cat \"$job\" >>../jobs; echo >>../jobs\n"
-    "grep -o '\"out\":\"[^\"]*\"' \"$job\" | cut -d'\"' -f4 | while read -r out; do\n"
+    "grep -o '\"[a-z]*\":\"[^\"]*png\"' \"$job\" | cut -d'\"' -f4 | while read -r out; do\n"
     "  case $out in *voxels*) ;; *) echo picture >\"$out\";; esac\n"
     "done\n"
     "exit 1\n";
@@ -93,13 +93,17 @@ static void test_scenes_are_drawn_once(void **state)
     assert_true(exists(out, "pictures/ana-garcia/edge-table-any/memory.json"));
     assert_true(exists(out, "pictures/ana-garcia/sheet.png"));
     assert_true(exists(out, "pictures/class.png"));
+    assert_true(exists(out, "pictures/class.es.png"));
+    assert_true(exists(out, "pictures/ana-garcia/sheet.es.png"));
+    assert_true(exists(out, "pictures/ana-garcia/edge-table-any/disc.es.png"));
     assert_int_equal(count_jobs(out), 0);
     assert_reason(out, "left some out"); /* the voxels */
 
     char *jobs = sample_read(out, "jobs");
     assert_non_null(strstr(jobs, "\"scene\":\"ana-garcia/edge-table-any/disc.json\""));
-    assert_non_null(strstr(jobs, "\"caption\":\"edge-table-any: duplicate edge (2 of 7)\""));
-    assert_non_null(strstr(jobs, "\"title\":\"Ana Garc"));
+    assert_non_null(strstr(jobs, "\"en\":\"edge-table-any: duplicate edge (2 of 7)\""));
+    assert_non_null(strstr(jobs, "\"es\":\"edge-table-any: arista duplicada (2 de 7)\""));
+    assert_non_null(strstr(jobs, "\"title\":{\"en\":\"Ana Garc"));
     free(jobs);
 
     assert_int_equal(draw(out, "/bin/false"), 0); /* what is drawn stays */
@@ -186,12 +190,12 @@ static void test_a_renderer_that_stands_still_is_stopped(void **state)
     stop_it("#!/bin/sh\nexec sleep 1000\n", (struct renderer_limits){1000, 300}, "stood still");
 }
 
-/* It breaks off after the first picture of each student. */
+/* It breaks off after the first scene of each student. */
 static const char breaking_script[] =
     "#!/bin/sh\n"
     "cd \"$(dirname \"$1\")\" || exit 2\n"
-    "out=$(grep -o '\"out\":\"[^\"]*\"' \"$(basename \"$1\")\" | head -n 1 | cut -d'\"' -f4)\n"
-    "echo picture >\"$out\"\n"
+    "grep -o '\"[a-z]*\":\"[^\"]*png\"' \"$(basename \"$1\")\" | head -n 2 | cut -d'\"' -f4 |\n"
+    "while read -r out; do echo picture >\"$out\"; done\n"
     "kill -KILL $$\n";
 
 static long long undrawn_of(const char *out)

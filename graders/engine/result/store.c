@@ -377,6 +377,7 @@ static int write_kept(const char *path, const char *text, json_t *kept, struct e
 static int write_scenes(const char *out, const char *student, const char *exercise,
                         const char *text, json_t *kept, struct error *err)
 {
+    static const char *const endings[] = {".png", ".es.png"}; /* a picture in each language */
     char folder[PATH_MAX], path[PATH_MAX];
     const char *name;
     json_t *scene;
@@ -396,9 +397,11 @@ static int write_scenes(const char *out, const char *student, const char *exerci
         free(bytes);
         if (written != 0)
             return -1;
-        if (file_path(path, err, "%s/%s.png", folder, name) != 0)
-            return -1;
-        json_object_set_new(kept, path, json_true());
+        for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
+            if (file_path(path, err, "%s/%s%s", folder, name, endings[i]) != 0)
+                return -1;
+            json_object_set_new(kept, path, json_true());
+        }
     }
     return 0;
 }
