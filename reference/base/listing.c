@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 
 struct wanted {
-    mode_t type; /* S_IFDIR or S_IFREG */
+    bool folders; /* or else all that is none: a pipe in a file's place is refused by its reader */
     const char *ending;
 };
 
@@ -24,8 +24,10 @@ static bool ends_in(const char *name, const char *ending)
 static bool is_wanted(int folder, const char *name, const struct wanted *wanted)
 {
     struct stat status;
-    return name[0] != '.' && ends_in(name, wanted->ending) &&
-           fstatat(folder, name, &status, 0) == 0 && (status.st_mode & S_IFMT) == wanted->type;
+    if (name[0] == '.' || !ends_in(name, wanted->ending))
+        return false;
+    bool is_folder = fstatat(folder, name, &status, 0) == 0 && S_ISDIR(status.st_mode);
+    return is_folder == wanted->folders;
 }
 
 /* Writes the wanted names to `text`, each with its zero byte. Returns how many, or -1 and errno. */
@@ -93,10 +95,10 @@ static char **list(const char *folder, const struct wanted *wanted, struct error
 
 char **listing_folders(const char *folder, struct error *err)
 {
-    return list(folder, &(struct wanted){S_IFDIR, ""}, err);
+    return list(folder, &(struct wanted){true, ""}, err);
 }
 
 char **listing_files(const char *folder, const char *ending, struct error *err)
 {
-    return list(folder, &(struct wanted){S_IFREG, ending}, err);
+    return list(folder, &(struct wanted){false, ending}, err);
 }

@@ -7,8 +7,9 @@
 
 #include "reference/base/error.h"
 
-/* The names of the folders, or of the regular files whose names end in `ending`, that lie in
- * `folder`. Links count as what they lead to. Names that begin with a dot are left out.
+/* The names of the folders, or of all else whose names end in `ending`, that lie in `folder`. Links
+ * count as what they lead to; a pipe, a device or a link to nothing is listed as a file, so that
+ * who reads it can refuse it by name. Names that begin with a dot are left out.
  *
  *     char **names = listing_files("marks [2026]/results/ana", ".json", &err);
  *     for (size_t i = 0; names && names[i]; i++)
