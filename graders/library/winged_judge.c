@@ -9,7 +9,7 @@ static const struct phrase face_noun = {"face", "cara"};
 static const struct phrase of_the_answer = {"in the answer", "en la respuesta"};
 static const struct phrase what_is_right = {"right", "lo correcto"};
 static const struct phrase other_wings = {"its other wings", "sus otras alas"};
-static const struct phrase at_fault = {"edge at fault", "arista en cuestión"};
+static const struct phrase at_fault = {"at fault", "con un fallo"};
 static const struct phrase no_face = {
     "There is no face on that side: the face and its two links are NONE.",
     "En ese lado no hay cara: la cara y sus dos enlaces son NONE."};
@@ -20,7 +20,7 @@ static const struct phrase other_side = {"It is a link of the other side.",
                                          "Es un enlace del otro lado."};
 
 enum { WINGS = 4 };
-static const enum mark_kind of_edge = MARK_TURN_0;
+static const enum mark_kind of_fault = MARK_TURN_0;
 static const enum mark_kind of_wing = (enum mark_kind)(MARK_TURN_0 + 1);
 
 struct view {
@@ -125,7 +125,7 @@ static struct phrase explain_entry(const struct view *view, const int64_t wings[
 static void show_entry(const struct view *view, const int64_t wings[WINGS])
 {
     const struct structure_fault *fault = view->fault;
-    scene_mark_arrow(view->scene, of_edge, fault->from, fault->to);
+    scene_mark_arrow(view->scene, of_fault, fault->from, fault->to);
     scene_label_edge(view->scene, fault->from, fault->to, fault->row);
     if (fault->column <= WINGED_VF) {
         scene_mark_vertex(view->scene, MARK_WRONG, fault->found);
@@ -152,9 +152,9 @@ static void show_table(const struct view *view)
 {
     const struct structure_fault *fault = view->fault;
     if (fault->column == WINGED_VERTEX_EDGE)
-        scene_mark_vertex(view->scene, MARK_WRONG, (int32_t)fault->row);
+        scene_mark_vertex(view->scene, of_fault, (int32_t)fault->row);
     else
-        mark_face(view, MARK_WRONG, fault->row);
+        mark_face(view, of_fault, fault->row);
     mark_row(view, MARK_WRONG, fault->found);
     for (int64_t i = 0; i < fault->wanted_count && i < STRUCTURE_WANTED_MOST; i++)
         mark_row(view, MARK_RIGHT, fault->wanted[i]);
@@ -186,7 +186,7 @@ static void reject(const struct view *view, struct judgement *out)
     judge_es(out, "%s.", said.es);
     name_element(fault, out);
     out->scene.ok_count = -1;
-    scene_name_marks(view->scene, of_edge, at_fault);
+    scene_name_marks(view->scene, of_fault, at_fault);
     scene_name_marks(view->scene, of_wing, other_wings);
     scene_name_marks(view->scene, MARK_WRONG, of_the_answer);
     scene_name_marks(view->scene, MARK_RIGHT, what_is_right);
