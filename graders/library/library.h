@@ -52,6 +52,8 @@
  *   partition.h labels up to their names
  *   topology.h  edges, fans, loops, components, Euler number of an input or of an answer
  *   structure.h winged edges and half edges against their faces: which entry is wrong
+ *   winged_judge.h  the same judged, said and shown, with the wings
+ *   refusal.h   faces that such structures cannot hold: which refusal is right, and why
  *   surface.h   meshes up to the numbers of vertices, told by a table or by position
  *   tolerance.h reals by absolute, relative, ulp and angular tolerance; usual mistakes recognised
  *   tiling.h    triangles that tile a polygon, by exact predicates (plane.h)
@@ -96,6 +98,7 @@
 #include "graders/library/mesh_area.h"
 #include "graders/library/partition.h"
 #include "graders/library/questions.h"
+#include "graders/library/refusal.h"
 #include "graders/library/sphere.h"
 #include "graders/library/structure.h"
 #include "graders/library/surface.h"
@@ -104,6 +107,7 @@
 #include "graders/library/topology.h"
 #include "graders/library/topology_hints.h"
 #include "graders/library/tuples.h"
+#include "graders/library/winged_judge.h"
 #include "graders/scene/show.h"
 
 #endif
