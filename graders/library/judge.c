@@ -199,17 +199,32 @@ static int show_something(const struct task *task, struct judgement *out, struct
     return task_show(task, out, err);
 }
 
-int judge_answer(const struct judge *judge, struct span input, struct span answer,
-                 const struct usage *usage, struct judgement *out, struct error *err)
+/* Whether the answer is right. */
+static int judge_task(struct task *task, struct judgement *out, struct error *err)
+{
+    const struct judge *judge = task->judge;
+    if (judge->input == INPUT_QUESTION)
+        return question_judge(task, out, err);
+    if (judge->answer && !answer_read(judge->answer, task->sizes, task->said, &task->answer, out))
+        return 0;
+    return judge->judge(task, out, err);
+}
+
+int judge_case_answer(const struct judge *judge, const struct judge_case *c, struct span input,
+                      struct span answer, const struct usage *usage, struct judgement *out,
+                      struct error *err)
 {
     struct task task = read_input(judge, input);
     task.said = answer;
     task.usage = usage;
-    if (judge->input == INPUT_QUESTION)
-        return question_judge(&task, out, err);
-    if (judge->answer && !answer_read(judge->answer, task.sizes, answer, &task.answer, out))
-        return show_something(&task, out, err);
-    if (judge->judge(&task, out, err) != 0)
+    if (judge_task(&task, out, err) != 0 ||
+        quality_judge(&judge->quality, c ? c->class_name : NULL, out, err) != 0)
         return -1;
     return show_something(&task, out, err);
+}
+
+int judge_answer(const struct judge *judge, struct span input, struct span answer,
+                 const struct usage *usage, struct judgement *out, struct error *err)
+{
+    return judge_case_answer(judge, NULL, input, answer, usage, out, err);
 }

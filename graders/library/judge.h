@@ -22,6 +22,7 @@
 #include "graders/library/lines.h"
 #include "graders/library/mesh_input.h"
 #include "graders/library/polygons.h"
+#include "graders/library/quality.h"
 #include "graders/library/recipe.h"
 #include "reference/base/error.h"
 
@@ -108,9 +109,8 @@ struct judge {
      * that there a right program may answer worse than by itself. */
     bool answers_reals;
 
-    /* A right answer's quality, a number that is shown in reports and charts and that classes may
-     * bound: {"indices per triangle", ...}; NULL: there is none. */
-    const struct phrase *quality;
+    /* A right answer's quality, a number that is shown in reports and that classes may bound. */
+    struct quality_rule quality;
 
     /* INPUT_OWN: writes the input of a case. `models` is the folder exercises/models. Same case,
      * same bytes. */
@@ -154,10 +154,17 @@ size_t judge_answer_bound(const struct judge *judge, struct span input);
  * packet may be small: what tools that slow programs down should look at. */
 size_t judge_input_weight(const struct judge *judge, struct span input);
 
-/* Judges `answer` to `input` (which this judge made: it may be trusted). Returns 0 and fills `out`,
- * or -1 and *err: our own failure. */
+/* Judges `answer` to `input` (which this judge made: it may be trusted), whether it is right: bands
+ * of quality belong to the classes of cases. Returns 0 and fills `out`, or -1 and *err: our own
+ * failure. */
 int judge_answer(const struct judge *judge, struct span input, struct span answer,
                  const struct usage *usage, struct judgement *out, struct error *err) MUST_CHECK;
+
+/* The same of the answer to case `c` (NULL: to no case), which is held to the band of the case's
+ * class too. */
+int judge_case_answer(const struct judge *judge, const struct judge_case *c, struct span input,
+                      struct span answer, const struct usage *usage, struct judgement *out,
+                      struct error *err) MUST_CHECK;
 
 /* -- for judges -------------------------------------------------------------------------------- */
 

@@ -9,6 +9,12 @@ void judge_accept(struct judgement *out)
     out->accepted = true;
 }
 
+void judge_quality(struct judgement *out, double quality)
+{
+    out->quality = quality;
+    out->has_quality = true;
+}
+
 bool judge_reject_for(struct judgement *out, const struct cause *cause)
 {
     if (out->cause[0])

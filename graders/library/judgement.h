@@ -19,12 +19,16 @@ struct judgement {
                                   sentence is of this case, what follows it is a hint, by which the
                                   mistakes of a class are grouped */
     struct scene scene;        /* what to show; filled only when rejected */
-    double quality;            /* of a right answer, when the exercise measures one (judge.h) */
+    double quality;            /* of an answer that was right, though a band may have rejected it:
+                                  quality.h */
     bool has_quality;
 };
 
 /* Accepts. */
 void judge_accept(struct judgement *out);
+
+/* Tells the quality of a right answer, a finite number (quality.h). Before or after judge_accept. */
+void judge_quality(struct judgement *out, double quality);
 
 /* Rejects with a cause and the same sentence in English and Spanish, printf style; both formats
  * take the same arguments in the same order (use %1$d positions to change the order in one

@@ -73,6 +73,9 @@
  *     judge_reject(out, &lost, "edge {%d,%d} is missing.", "falta la arista {%d,%d}.", a, b);
  *     judge_hint(out, hint);      a reason, only one that was computed from the numbers
  *
+ *     judge_quality(out, indices / triangles);    a right answer's number; classes may set bands for
+ *                                                 it, which the library judges (quality.h)
+ *
  *   The first sentence is of this case, what follows is the hint. Words stand where the thing is
  *   declared; no list elsewhere is edited.
  *

@@ -75,6 +75,7 @@ static const struct field case_fields[] = {{"name", NAME, REQUIRED, NULL},
                                            {"element", WORDS_OR_STRING, OPTIONAL, NULL},
                                            {"scene", TRUTH, OPTIONAL, NULL},
                                            {"picture", STRING, OPTIONAL, NULL},
+                                           {"quality", NUMBER, OPTIONAL, NULL},
                                            {0}};
 
 static const struct field fit_fields[] = {{"class", STRING, REQUIRED, NULL},
@@ -121,9 +122,22 @@ static const struct field memory_fields[] = {{"size", COUNT, REQUIRED, NULL},
                                              {"families", RECORDS, OPTIONAL, memory_family_fields},
                                              {0}};
 
+static const struct field band_fields[] = {{"class", NAME, REQUIRED, NULL},
+                                           {"name", WORDS, REQUIRED, NULL},
+                                           {"limit", NUMBER, REQUIRED, NULL},
+                                           {0}};
+
+static const struct field quality_fields[] = {{"name", WORDS, REQUIRED, NULL},
+                                              {"unit", WORDS, OPTIONAL, NULL},
+                                              {"less_is_better", TRUTH, REQUIRED, NULL},
+                                              {"worst", NUMBER, REQUIRED, NULL},
+                                              {"bands", RECORDS, REQUIRED, band_fields},
+                                              {0}};
+
 static const struct field measures_fields[] = {{"growth", RECORD, OPTIONAL, growth_fields},
                                                {"work", RECORD, OPTIONAL, work_fields},
                                                {"memory", RECORD, OPTIONAL, memory_fields},
+                                               {"quality", RECORD, OPTIONAL, quality_fields},
                                                {0}};
 
 static const struct field build_fields[] = {{"ok", TRUTH, REQUIRED, NULL},
@@ -394,6 +408,11 @@ static bool has_named(const json_t *list, size_t count, const char *name)
     return false;
 }
 
+static bool measures_quality(const json_t *result)
+{
+    return json_object_get(json_object_get(result, "measures"), "quality") != NULL;
+}
+
 static int check_cases(const json_t *result, struct error *err)
 {
     const json_t *cases = json_object_get(result, "cases");
@@ -410,6 +429,9 @@ static int check_cases(const json_t *result, struct error *err)
         enum standing standing = words_standing(json_string_value(json_object_get(one, "verdict")));
         if (standing == STANDING_FAILED && !json_object_get(one, "element"))
             return error_set(err, "cases[%zu].element: is missing though rejected", i);
+        if (json_object_get(one, "quality") && !measures_quality(result))
+            return error_set(err, "cases[%zu].quality: measures.quality, which names it, is missing",
+                             i);
         if (standing == STANDING_FAILED && !has_text(one, "cause"))
             return error_set(err, "cases[%zu].cause: is empty though rejected", i);
     }

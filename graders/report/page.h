@@ -57,6 +57,12 @@ void page_causes(struct html *page, const struct gradebook *book);
 void page_case(struct html *page, const struct page_context *context, const json_t *result,
                const json_t *one);
 
+/* A cell with a bar: `value` of `most`; class_name is "own", "reference" or "limit". */
+void page_bar(struct html *page, const char *class_name, double value, double most);
+
+/* Quality of a result: each case beside the bands. Nothing when none was measured. */
+void page_quality(struct html *page, const json_t *result);
+
 /* Work and memory of a result: charts, doubling table, bars. Nothing when nothing was measured. */
 void page_measures(struct html *page, const json_t *result);
 

@@ -130,17 +130,10 @@ static void write_growth(struct html *page, const json_t *result)
 
 /* ---------------------------------------------------------------- memory and work */
 
-static void write_bar(struct html *page, const char *class_name, struct phrase label, double bytes,
-                      double most)
+void page_bar(struct html *page, const char *class_name, double value, double most)
 {
     enum { WIDTH = 300, HEIGHT = 16 };
-    char text[48];
-    words_of_bytes(bytes, text, sizeof text);
-    html_open(page, "tr");
-    html_open(page, "th");
-    html_attribute(page, "scope", "row");
-    html_both(page, label);
-    html_close(page, "th");
+    double share = most > 0 && value > 0 ? value / most : 0;
     html_open(page, "td");
     html_open(page, "svg");
     html_attribute(page, "class", "bar-line");
@@ -148,15 +141,26 @@ static void write_bar(struct html *page, const char *class_name, struct phrase l
     html_attribute_format(page, "viewBox", "0 0 %d %d", WIDTH, HEIGHT);
     html_open(page, "rect");
     html_attribute(page, "class", class_name);
-    html_attribute_format(page, "width", "%.1f", most > 0 ? 2 + (WIDTH - 2) * bytes / most : 0);
+    html_attribute_format(page, "width", "%.1f", most > 0 ? 2 + (WIDTH - 2) * share : 0);
     html_attribute_format(page, "height", "%d", HEIGHT);
     html_attribute(page, "rx", "3");
     html_close(page, "rect");
     html_close(page, "svg");
     html_close(page, "td");
-    html_open(page, "td");
-    html_text(page, text);
-    html_close(page, "td");
+}
+
+static void write_bar(struct html *page, const char *class_name, struct phrase label, double bytes,
+                      double most)
+{
+    char text[32];
+    words_of_bytes(bytes, text, sizeof text);
+    html_open(page, "tr");
+    html_open(page, "th");
+    html_attribute(page, "scope", "row");
+    html_both(page, label);
+    html_close(page, "th");
+    page_bar(page, class_name, bytes, most);
+    html_leaf(page, "td", NULL, text);
     html_close(page, "tr");
 }
 

@@ -296,6 +296,7 @@ static void write_exercise(struct html *page, const struct page_context *context
     write_checks(page, result);
     html_close(page, "div");
     write_cases(page, context, result);
+    page_quality(page, result);
     page_measures(page, result);
     write_untrusted(page, json_object_get(result, "output"),
                     (struct phrase){"What the program printed", "Lo que imprimió el programa"},

@@ -183,6 +183,18 @@ static void put_points(FILE *to, const json_t *result, const struct terminal_sty
     }
 }
 
+static void put_quality(FILE *to, const json_t *result, const struct terminal_style *style)
+{
+    const json_t *quality = json_object_get(json_object_get(result, "measures"), "quality");
+    char measured[WORDS_QUALITY_BYTES];
+    char line[WORDS_QUALITY_BYTES + 16];
+    if (!quality)
+        return;
+    words_of_quality(quality, style->spanish, measured);
+    snprintf(line, sizeof line, "%s: %s", style->spanish ? "calidad" : "quality", measured);
+    terminal_paragraph(to, "  ", line);
+}
+
 static void put_score(FILE *to, const json_t *result, const struct terminal_style *style)
 {
     char title[300];
@@ -308,6 +320,7 @@ void terminal_print_result(FILE *to, const json_t *result, const struct terminal
     put_head(to, result, style);
     put_score(to, result, style);
     put_points(to, result, style);
+    put_quality(to, result, style);
     put_diagnostics(to, result, style);
     put_not_run(to, result, style);
     put_check_messages(to, result, style);

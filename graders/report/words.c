@@ -1,6 +1,7 @@
 /* The words of reports; see words.h. */
 #include "graders/report/words.h"
 
+#include "reference/base/decimal.h"
 #include "reference/base/plural.h"
 
 #include <math.h>
@@ -85,6 +86,42 @@ void words_of_bytes(double bytes, char *text, size_t capacity)
     for (bytes /= 1024; bytes >= LEAST_BYTES && unit + 1 < sizeof units / sizeof *units; unit++)
         bytes /= 1024;
     snprintf(text, capacity, "%.*f %s", bytes < 100 ? 1 : 0, bytes, units[unit]);
+}
+
+static double limit_of(const json_t *bands, size_t i)
+{
+    return json_number_value(json_object_get(json_array_get(bands, i), "limit"));
+}
+
+/* The limit that a number comes nearest to; itself where there are no bands. */
+static double nearest_limit(const json_t *bands, double value)
+{
+    double nearest = json_array_size(bands) > 0 ? limit_of(bands, 0) : value;
+    for (size_t i = 1; i < json_array_size(bands); i++)
+        if (fabs(limit_of(bands, i) - value) < fabs(nearest - value))
+            nearest = limit_of(bands, i);
+    return nearest;
+}
+
+void words_of_quality(const json_t *quality, bool spanish, char text[WORDS_QUALITY_BYTES])
+{
+    const json_t *bands = json_object_get(quality, "bands");
+    const char *name = words_choose(words_in(quality, "name"), spanish);
+    const char *unit = words_choose(words_in(quality, "unit"), spanish);
+    double worst = json_number_value(json_object_get(quality, "worst"));
+    char number[DECIMAL_BYTES];
+    decimal_write(worst, nearest_limit(bands, worst), number);
+    if (*unit)
+        snprintf(text, WORDS_QUALITY_BYTES, "%.80s %s %.80s", name, number, unit);
+    else
+        snprintf(text, WORDS_QUALITY_BYTES, "%s %.80s", number, name);
+    for (size_t i = 0; i < json_array_size(bands); i++) {
+        size_t length = strlen(text);
+        decimal_write(limit_of(bands, i), worst, number);
+        snprintf(text + length, WORDS_QUALITY_BYTES - length, "%s%.40s %s%s", i == 0 ? " (" : ", ",
+                 words_choose(words_in(json_array_get(bands, i), "name"), spanish), number,
+                 i + 1 == json_array_size(bands) ? ")" : "");
+    }
 }
 
 void words_of_points(double points, char *text, size_t capacity)

@@ -34,6 +34,10 @@ struct phrase words_cause(const json_t *part, char *room, size_t capacity);
  * at most `capacity` bytes. */
 void words_of_bytes(double bytes, char *text, size_t capacity);
 
+/* measures.quality in a line: "1.31 indices per triangle (fair 1.6, good 1.25)". */
+enum { WORDS_QUALITY_BYTES = 400 };
+void words_of_quality(const json_t *quality, bool spanish, char text[WORDS_QUALITY_BYTES]);
+
 /* Points without needless zeros: "10", "7.5", "0.25". Writes at most `capacity` bytes. */
 void words_of_points(double points, char *text, size_t capacity);
 

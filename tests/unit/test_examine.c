@@ -58,7 +58,7 @@ static int ask(int (*judge)(const struct task *, struct judgement *, struct erro
 {
     const struct judge asked = {.exercise = "test", .judge = judge};
     const struct usage usage = {0};
-    return examine(&asked, (struct span){0}, (struct span){0}, &usage, examination, err);
+    return examine(&asked, NULL, (struct span){0}, (struct span){0}, &usage, examination, err);
 }
 
 static void test_a_judgement_arrives(void **state)

@@ -4,6 +4,7 @@
 #include "graders/engine/run/soundness.h"
 #include "graders/judges/table.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -280,6 +281,37 @@ static void families_fit(void **state)
                          "them");
 }
 
+static void bands_of_quality_fit(void **state)
+{
+    struct made made;
+    struct error err = {""};
+    (void)state;
+    make_judge(&made);
+    made.judge.quality = (struct quality_rule){.bands = {{"open", 1.5}}};
+    assert_unsound(&sound, &made,
+                   JUDGE ": has bands of quality without its name; write "
+                         ".quality.name");
+    made.judge.quality.name = (struct phrase){"indices", NULL};
+    assert_unsound(&sound, &made,
+                   JUDGE ": name and unit of quality are in one language; write both");
+    made.judge.quality.name.es = "índices";
+    assert_int_equal(soundness_check(&sound, &made.judge, &err), 0);
+    made.judge.quality.bands[1] = (struct quality_band){.class_name = "open", .limit = 2};
+    assert_unsound(&sound, &made, JUDGE ": two bands of quality are of class open; take one out");
+    made.judge.quality.bands[1] = (struct quality_band){.class_name = "opens", .limit = 2};
+    assert_unsound(&sound, &made,
+                   JUDGE ": a band of quality is of class opens, which exercise.json does not "
+                         "name; correct one of them");
+    made.judge.quality.bands[1] = (struct quality_band){.class_name = "closed", .limit = 2};
+    assert_unsound(&sound, &made,
+                   JUDGE ": a band of quality is of class closed, the first, which right answers "
+                         "pass; set it for another class");
+    made.judge.quality.bands[1] = (struct quality_band){.class_name = NULL};
+    made.judge.quality.bands[0].limit = (double)INFINITY;
+    assert_unsound(&sound, &made,
+                   JUDGE ": the band of quality of class open is inf; use a finite number");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -294,6 +326,7 @@ int main(void)
         cmocka_unit_test(classes_are_those_of_the_manifest),
         cmocka_unit_test(cases_have_names_and_seeds_of_their_own),
         cmocka_unit_test(some_cases_are_public_and_quick),
-        cmocka_unit_test(families_fit)};
+        cmocka_unit_test(families_fit),
+        cmocka_unit_test(bands_of_quality_fit)};
     return cmocka_run_group_tests(tests, read_manifest, free_manifest);
 }

@@ -23,6 +23,7 @@ enum verdict {
     VERDICT_GROWS_TOO_FAST,
     VERDICT_TOO_MUCH_WORK,
     VERDICT_TOO_MUCH_MEMORY,
+    VERDICT_POOR_QUALITY, /* a right answer beyond the band of its class */
     VERDICT_PASSED,
     VERDICT_NOT_MEASURED, /* of a check: the probe is missing on this machine */
     VERDICT_NOT_REACHED,  /* of a check or case: something earlier failed */

@@ -2,6 +2,7 @@
 #include "graders/engine/result/measures.h"
 
 #include <math.h>
+#include <string.h>
 
 static json_t *rounded(double value)
 {
@@ -82,6 +83,68 @@ static json_t *memory_json(const struct trial *trial)
         (json_int_t)mine->stack_bytes, "static_bytes", (json_int_t)trial->build.static_bytes);
 }
 
+static struct phrase class_title(const struct exercise *exercise, const char *name)
+{
+    for (int i = 0; i < exercise->class_count; i++)
+        if (strcmp(exercise->classes[i].name, name) == 0)
+            return message_phrase(&exercise->classes[i].title);
+    return (struct phrase){name, name};
+}
+
+static json_t *phrase_json(struct phrase phrase)
+{
+    return json_pack("{s:s, s:s}", "en", phrase_text(phrase, LANGUAGE_EN), "es",
+                     phrase_text(phrase, LANGUAGE_ES));
+}
+
+static json_t *bands_json(const struct trial *trial)
+{
+    const struct quality_rule *rule = &trial->yardstick->judge->quality;
+    json_t *bands = json_array();
+    for (int i = 0; i < quality_band_count(rule); i++) {
+        const struct quality_band *band = &rule->bands[i];
+        struct phrase title = class_title(trial->yardstick->exercise, band->class_name);
+        json_array_append_new(bands, json_pack("{s:s, s:o, s:f}", "class", band->class_name, "name",
+                                               phrase_json(quality_band_name(band, title)), "limit",
+                                               band->limit));
+    }
+    return bands;
+}
+
+/* The attempt with the worst number, of all cases or of those whose class has a band; NULL when
+ * none has a number. Those with a band speak for the whole: other inputs may allow no good answer.
+ */
+static const struct attempt *worst_of(const struct trial *trial, bool of_bands)
+{
+    const struct judge *judge = trial->yardstick->judge;
+    const struct attempt *worst = NULL;
+    for (size_t i = 0; i < judge->case_count; i++) {
+        const struct attempt *attempt = &trial->cases[i].attempt;
+        bool has_band = quality_band_of(&judge->quality, judge->cases[i].class_name) != NULL;
+        if (trial->cases[i].run && attempt->has_quality && (has_band || !of_bands) &&
+            (!worst || quality_is_worse(&judge->quality, attempt->quality, worst->quality)))
+            worst = attempt;
+    }
+    return worst;
+}
+
+/* NULL when no case has a number. */
+static json_t *quality_json(const struct trial *trial)
+{
+    const struct quality_rule *rule = &trial->yardstick->judge->quality;
+    const struct attempt *worst = worst_of(trial, true);
+    if (!worst)
+        worst = worst_of(trial, false);
+    if (!worst)
+        return NULL;
+    json_t *json =
+        json_pack("{s:o, s:b, s:f, s:o}", "name", phrase_json(rule->name), "less_is_better",
+                  rule->less_is_better, "worst", worst->quality, "bands", bands_json(trial));
+    if (rule->unit.en)
+        json_object_set_new(json, "unit", phrase_json(rule->unit));
+    return json;
+}
+
 json_t *measures_json(const struct trial *trial)
 {
     json_t *measures = json_object();
@@ -95,5 +158,8 @@ json_t *measures_json(const struct trial *trial)
                                       "miss_ratio", rounded(trial->miss_ratio)));
     if (trial->memory_ratio > 0)
         json_object_set_new(measures, "memory", memory_json(trial));
+    json_t *quality = quality_json(trial);
+    if (quality)
+        json_object_set_new(measures, "quality", quality);
     return measures;
 }

@@ -6,7 +6,7 @@
 
 #include <jansson.h>
 
-/* A new object with the keys growth, work and memory, each only when it was measured. */
+/* A new object with the keys growth, work, memory and quality, each only when it was measured. */
 json_t *measures_json(const struct trial *trial);
 
 #endif

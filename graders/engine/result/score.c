@@ -168,6 +168,8 @@ static json_t *case_json(struct trial *trial, size_t index, const struct submitt
         json_object_set_new(json, "cause_name", message_json(&attempt->cause_name));
         json_object_set_new(json, "element", message_json(&attempt->element));
     }
+    if (attempt->has_quality)
+        json_object_set_new(json, "quality", json_real(attempt->quality));
     if (rejected && attempt->scene) {
         snprintf(picture, sizeof picture, "pictures/%s/%s/%s.png", submitter->student_folder,
                  exercise, c->name);

@@ -231,8 +231,26 @@ static struct usage usage_of(const struct control *claims)
                           .known = true};
 }
 
-int attempt_judge(const struct yardstick *yardstick, const struct input *input,
-                  const struct session *session, struct attempt *attempt, struct error *err)
+void attempt_take(struct attempt *attempt, struct examination *examination)
+{
+    const struct judgement *judgement = &examination->judgement;
+    attempt->verdict = judgement->accepted      ? VERDICT_PASSED
+                       : judgement->has_quality ? VERDICT_POOR_QUALITY
+                                                : VERDICT_WRONG_ANSWER;
+    attempt->quality = judgement->quality;
+    attempt->has_quality = judgement->has_quality;
+    snprintf(attempt->cause, sizeof attempt->cause, "%s", judgement->cause);
+    attempt->cause_name = judgement->cause_name;
+    attempt->element = judgement->element;
+    attempt->message = judgement->message;
+    attempt->scene = examination->scene;
+    examination->scene = NULL;
+}
+
+/* `c` is the case whose class's band counts, NULL: none. */
+static int judge_call(const struct yardstick *yardstick, const struct judge_case *c,
+                      const struct input *input, const struct session *session,
+                      struct attempt *attempt, struct error *err)
 {
     if (settle_by_claims(session, attempt))
         return 0;
@@ -244,28 +262,26 @@ int attempt_judge(const struct yardstick *yardstick, const struct input *input,
     struct usage usage = usage_of(&attempt->claims);
     usage.known = !attempt->uncounted;
     struct examination examination;
-    int result = examine(yardstick->judge, (struct span){input->region.bytes, input->bytes},
+    int result = examine(yardstick->judge, c, (struct span){input->region.bytes, input->bytes},
                          (struct span){copy, count}, &usage, &examination, err);
     free(copy);
     if (result != 0)
         return -1;
-    const struct judgement *judgement = &examination.judgement;
-    attempt->verdict = judgement->accepted ? VERDICT_PASSED : VERDICT_WRONG_ANSWER;
-    snprintf(attempt->cause, sizeof attempt->cause, "%s", judgement->cause);
-    attempt->cause_name = judgement->cause_name;
-    attempt->element = judgement->element;
-    attempt->message = judgement->message;
-    attempt->scene = examination.scene;
-    examination.scene = NULL;
+    attempt_take(attempt, &examination);
     examination_release(&examination);
     return 0;
+}
+
+int attempt_judge(const struct yardstick *yardstick, const struct input *input,
+                  const struct session *session, struct attempt *attempt, struct error *err)
+{
+    return judge_call(yardstick, NULL, input, session, attempt, err);
 }
 
 /* --------------------------------------------------------------------- run */
 
 static int start(const struct yardstick *yardstick, const struct build *build,
-                 const struct input *input, uint32_t mode, struct session *session,
-                 struct error *err)
+                 const struct input *input, struct session *session, struct error *err)
 {
     int64_t heap_limit = yardstick->exercise->memory_limit_bytes;
     struct session_plan plan = {
@@ -273,7 +289,7 @@ static int start(const struct yardstick *yardstick, const struct build *build,
         .program_fd = build->program_fd[PROGRAM_PLAIN],
         .input = &input->region,
         .answer_bytes = input->answer_bound,
-        .mode = mode,
+        .mode = MODE_PLAIN,
         .heap_limit_bytes = heap_limit,
         .memory_limit_bytes = (uint64_t)heap_limit + input->region.capacity + input->answer_bound +
                               BOX_OVERHEAD_BYTES,
@@ -283,21 +299,22 @@ static int start(const struct yardstick *yardstick, const struct build *build,
     return session_start(session, &plan, err);
 }
 
-int attempt_run(const struct yardstick *yardstick, const struct build *build,
-                const struct input *input, const struct call_limits *limits, uint32_t mode,
-                int64_t failing_allocation, struct attempt *attempt, struct error *err)
+int attempt_run(const struct yardstick *yardstick, const struct build *build, size_t index,
+                const struct call_limits *limits, struct attempt *attempt, struct error *err)
 {
+    const struct judge_case *c = &yardstick->judge->cases[index];
+    const struct input *input = &yardstick->cases[index];
     struct session session;
     memset(attempt, 0, sizeof *attempt);
-    if (start(yardstick, build, input, mode, &session, err) != 0)
+    if (start(yardstick, build, input, &session, err) != 0)
         return -1;
-    enum call_end end = session_call(&session, input->bytes, failing_allocation, limits);
+    enum call_end end = session_call(&session, input->bytes, 0, limits);
     attempt->claims = session.claims;
     attempt->cpu_ns = session.call_cpu_ns;
     int result = session_end(&session, &attempt->outcome, err);
     session_output(&session, attempt->output, sizeof attempt->output);
     if (result == 0 && end == CALL_ANSWERED)
-        result = attempt_judge(yardstick, input, &session, attempt, err);
+        result = judge_call(yardstick, c, input, &session, attempt, err);
     else if (result == 0)
         result = attempt_explain_death(end, &attempt->claims, &attempt->outcome, attempt, err);
     session_release(&session);

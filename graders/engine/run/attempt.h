@@ -17,29 +17,34 @@ struct attempt {
     struct message element;    /* the first and smallest at fault; may be empty */
     struct message message;    /* what is wrong, where, what is right */
     json_t *scene;             /* may be NULL; owned */
-    struct control claims;     /* of the call; all zero when it never came back */
-    bool uncounted;            /* the program has no allocation shim: the judge hears of no usage */
-    int64_t cpu_ns;            /* charged to the call */
+    double quality;            /* of a right answer, when has_quality */
+    bool has_quality;
+    struct control claims; /* of the call; all zero when it never came back */
+    bool uncounted;        /* the program has no allocation shim: the judge hears of no usage */
+    int64_t cpu_ns;        /* charged to the call */
     struct box_outcome outcome;
     char output[ATTEMPT_OUTPUT]; /* what it printed, untrusted */
 };
 
-/* Runs the plain program of `build` on `input` and judges the answer.
+/* Runs the plain program of `build` on case `index`, whose input is made, and judges the answer: is
+ * it right, and good enough for the case's class?
  *
- * limits              of CPU and idle time
- * mode                runner_mode flags
- * failing_allocation  as struct control
- * returns             0, or -1 and *err: a fault. attempt_release must follow. */
-int attempt_run(const struct yardstick *yardstick, const struct build *build,
-                const struct input *input, const struct call_limits *limits, uint32_t mode,
-                int64_t failing_allocation, struct attempt *attempt, struct error *err) MUST_CHECK;
+ * limits   of CPU and idle time
+ * returns  0, or -1 and *err: a fault. attempt_release must follow. */
+int attempt_run(const struct yardstick *yardstick, const struct build *build, size_t index,
+                const struct call_limits *limits, struct attempt *attempt,
+                struct error *err) MUST_CHECK;
 
-/* Judges the answer of a call that came back: copies it, checks the claims, asks the judge.
+/* Judges whether the answer of a call that came back is right: copies it, checks the claims, asks
+ * the judge.
  *
  * attempt->claims must be filled; verdict, texts and scene are set */
 int attempt_judge(const struct yardstick *yardstick, const struct input *input,
                   const struct session *session, struct attempt *attempt,
                   struct error *err) MUST_CHECK;
+
+/* Takes over what a judge said: verdict, texts, quality and scene. */
+void attempt_take(struct attempt *attempt, struct examination *examination);
 
 /* Sets verdict and texts for a program that did not come back. Returns 0, or -1 and *err for a
  * fault: it was killed by a signal that it cannot send itself and that no limit of ours sends, or
@@ -52,6 +57,12 @@ int attempt_explain_death(enum call_end end, const struct control *claims,
 void attempt_say(struct attempt *attempt, enum verdict verdict, const struct cause *cause,
                  const char *en, const char *es, ...)
     __attribute__((format(printf, 4, 6), format(printf, 5, 6)));
+
+/* Whether the answer was right, be it too poor for its class. */
+static inline bool attempt_is_right(const struct attempt *attempt)
+{
+    return attempt->verdict == VERDICT_PASSED || attempt->verdict == VERDICT_POOR_QUALITY;
+}
 
 /* The cause of an attempt, borrowed from it. */
 struct cause attempt_cause(const struct attempt *attempt);

@@ -24,13 +24,12 @@ static bool is_time_limit(enum verdict verdict)
 }
 
 /* One run of a case with `multiple` times its limit of CPU time. */
-static int run_once(struct trial *trial, size_t index, const struct input *input, int multiple,
-                    struct attempt *attempt, struct error *err)
+static int run_once(struct trial *trial, size_t index, int multiple, struct attempt *attempt,
+                    struct error *err)
 {
     struct call_limits limits = {multiple * yardstick_cpu_limit_ns(trial->yardstick, index),
                                  IDLE_LIMIT_NS};
-    return attempt_run(trial->yardstick, &trial->build, input, &limits, MODE_PLAIN, 0, attempt,
-                       err);
+    return attempt_run(trial->yardstick, &trial->build, index, &limits, attempt, err);
 }
 
 /* The limit as its rule: seconds were measured, and would differ between runs. */
@@ -56,13 +55,13 @@ static int run_case(struct trial *trial, size_t index, bool patient, struct atte
     if (yardstick_case(trial->yardstick, index, &input, err) != 0)
         return -1;
     if (!patient) {
-        if (run_once(trial, index, input, 1, attempt, err) != 0)
+        if (run_once(trial, index, 1, attempt, err) != 0)
             return -1;
         if (!is_time_limit(attempt->verdict))
             return 0;
         attempt_release(attempt);
     }
-    int result = run_once(trial, index, input, CONFIRMING_MULTIPLE, attempt, err);
+    int result = run_once(trial, index, CONFIRMING_MULTIPLE, attempt, err);
     if (result == 0 && attempt->verdict == VERDICT_CPU_TIME)
         explain_cpu_limit(attempt);
     return result;
@@ -117,7 +116,7 @@ bool trial_basic_class_passed(const struct trial *trial)
 bool trial_any_case_failed(const struct trial *trial)
 {
     for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
-        if (trial->cases[i].run && trial->cases[i].attempt.verdict != VERDICT_PASSED)
+        if (trial->cases[i].run && !attempt_is_right(&trial->cases[i].attempt))
             return true;
     return false;
 }

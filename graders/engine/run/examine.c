@@ -35,15 +35,16 @@ static bool write_whole(int file, const void *bytes, size_t count)
     return true;
 }
 
-_Noreturn static void judge_and_exit(const struct judge *judge, struct span input,
-                                     struct span answer, const struct usage *usage, int file)
+_Noreturn static void judge_and_exit(const struct judge *judge, const struct judge_case *c,
+                                     struct span input, struct span answer,
+                                     const struct usage *usage, int file)
 {
     static struct verdict_message message;
     const struct rlimit cpu = {JUDGE_CPU_SECONDS, JUDGE_CPU_SECONDS}, none = {0, 0};
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     setrlimit(RLIMIT_CPU, &cpu);
     setrlimit(RLIMIT_CORE, &none);
-    if (judge_answer(judge, input, answer, usage, &message.judgement, &message.err) != 0) {
+    if (judge_case_answer(judge, c, input, answer, usage, &message.judgement, &message.err) != 0) {
         write_whole(file, &message, sizeof message);
         _exit(EXIT_FAILED);
     }
@@ -74,8 +75,9 @@ static int read_message(int file, struct verdict_message *message, json_t **scen
     return *scene ? 0 : error_set(err, "the judge's scene cannot be read");
 }
 
-int examine(const struct judge *judge, struct span input, struct span answer,
-            const struct usage *usage, struct examination *examination, struct error *err)
+int examine(const struct judge *judge, const struct judge_case *c, struct span input,
+            struct span answer, const struct usage *usage, struct examination *examination,
+            struct error *err)
 {
     struct verdict_message *message = calloc(1, sizeof *message);
     int file = memfd_create("judgement", MFD_CLOEXEC);
@@ -84,7 +86,7 @@ int examine(const struct judge *judge, struct span input, struct span answer,
     fflush(NULL);
     pid_t child = message && file >= 0 ? fork() : -1;
     if (child == 0)
-        judge_and_exit(judge, input, answer, usage, file);
+        judge_and_exit(judge, c, input, answer, usage, file);
     if (child < 0) {
         error_set(err, "judge %s: %s", judge->exercise, strerror(errno));
         goto out;

@@ -14,10 +14,11 @@ struct examination {
 
 /* Judges `answer` (copied bytes that nobody else can change) to `input`.
  *
+ * c         the case that is answered and whose class's band of quality counts; NULL: none
  * usage     may have known == false
  * returns   0, or -1 and *err: the judge crashed, hung for 60 s of CPU, or said that it failed */
-int examine(const struct judge *judge, struct span input, struct span answer,
-            const struct usage *usage, struct examination *examination,
+int examine(const struct judge *judge, const struct judge_case *c, struct span input,
+            struct span answer, const struct usage *usage, struct examination *examination,
             struct error *err) MUST_CHECK;
 
 void examination_release(struct examination *examination);

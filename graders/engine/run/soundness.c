@@ -3,6 +3,7 @@
 
 #include "graders/judges/table.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -92,6 +93,46 @@ static int check_families(const struct pair *pair, struct error *err)
     return 0;
 }
 
+/* The first class decides whether checks count: it is one of correctness. */
+static int check_band(const struct pair *pair, const struct quality_band *band, struct error *err)
+{
+    const struct quality_rule *rule = &pair->judge->quality;
+    const char *class = band->class_name;
+    if (!has_class(pair->exercise, class))
+        return error_set(err,
+                         "%s: a band of quality is of class %s, which exercise.json does not "
+                         "name; correct one of them",
+                         pair->file, class);
+    if (strcmp(pair->exercise->classes[0].name, class) == 0)
+        return error_set(err,
+                         "%s: a band of quality is of class %s, the first, which right answers "
+                         "pass; set it for another class",
+                         pair->file, class);
+    if (quality_band_of(rule, class) != band)
+        return error_set(err, "%s: two bands of quality are of class %s; take one out", pair->file,
+                         class);
+    if (!isfinite(band->limit))
+        return error_set(err, "%s: the band of quality of class %s is %g; use a finite number",
+                         pair->file, class, band->limit);
+    return 0;
+}
+
+static int check_quality(const struct pair *pair, struct error *err)
+{
+    const struct quality_rule *rule = &pair->judge->quality;
+    int band_count = quality_band_count(rule);
+    if (band_count > 0 && !quality_is_measured(rule))
+        return error_set(err, "%s: has bands of quality without its name; write .quality.name",
+                         pair->file);
+    if (!rule->name.en != !rule->name.es || !rule->unit.en != !rule->unit.es)
+        return error_set(err, "%s: name and unit of quality are in one language; write both",
+                         pair->file);
+    for (int i = 0; i < band_count; i++)
+        if (check_band(pair, &rule->bands[i], err) != 0)
+            return -1;
+    return 0;
+}
+
 int soundness_check(const struct exercise *exercise, const struct judge *judge, struct error *err)
 {
     struct pair pair = {exercise, judge, ""};
@@ -103,7 +144,8 @@ int soundness_check(const struct exercise *exercise, const struct judge *judge, 
                          exercise->folder, pair.file);
     if (judge->case_count == 0)
         return error_set(err, "%s: has no cases; add some", pair.file);
-    if (check_classes(&pair, err) != 0 || check_cases(&pair, err) != 0)
+    if (check_classes(&pair, err) != 0 || check_cases(&pair, err) != 0 ||
+        check_quality(&pair, err) != 0)
         return -1;
     return check_families(&pair, err);
 }

@@ -12,13 +12,13 @@ static const struct cause refused_allocation = {"allocation-failure",
 enum { CASES_MAX = 4, FAILURES_MAX = 16, INPUT_BYTES_MAX = 1 << 18 };
 static const struct call_limits limits = {5000000000LL, 2000000000LL};
 
-/* Chooses small accepted cases that allocate, no two of the same class. */
+/* Chooses small cases with right answers that allocate, no two of the same class. */
 static int choose_cases(const struct trial *trial, size_t chosen[CASES_MAX])
 {
     const struct judge *judge = trial->yardstick->judge;
     int count = 0;
     for (size_t i = 0; i < judge->case_count && count < CASES_MAX; i++) {
-        bool fits = trial->cases[i].run && trial->cases[i].attempt.verdict == VERDICT_PASSED &&
+        bool fits = trial->cases[i].run && attempt_is_right(&trial->cases[i].attempt) &&
                     trial->cases[i].attempt.claims.allocation_count > 0 &&
                     trial->yardstick->cases[i].bytes <= INPUT_BYTES_MAX;
         for (int k = 0; k < count && fits; k++)

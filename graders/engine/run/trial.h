@@ -86,7 +86,7 @@ bool trial_case_in_scope(const struct judge_case *c, const struct trial_scope *s
 /* Whether the first class of the exercise passed whole. */
 bool trial_basic_class_passed(const struct trial *trial);
 
-/* Whether a case that was run did not pass. */
+/* Whether a case that was run has no right answer. */
 bool trial_any_case_failed(const struct trial *trial);
 
 /* undefined.c: the cases again under ASan and UBSan, then under memcheck. */

@@ -119,7 +119,7 @@ static bool is_wanted(const struct trial *trial, size_t index, size_t input_byte
     if (verdict == VERDICT_CRASH && (strcmp(cause, "abort") == 0 || strcmp(cause, "exit") == 0))
         return false;
     return trial->cases[index].run && trial->yardstick->cases[index].weight <= input_bytes &&
-           (verdict == VERDICT_PASSED || verdict == VERDICT_WRONG_ANSWER ||
+           (attempt_is_right(&trial->cases[index].attempt) || verdict == VERDICT_WRONG_ANSWER ||
             verdict == VERDICT_CRASH || verdict == VERDICT_UNDEFINED_BEHAVIOUR);
 }
 
@@ -147,8 +147,8 @@ static void size_series(const struct trial *trial, const struct look *look,
     }
 }
 
-/* Calls one case. What passed by itself must pass here too: a program that knows the tool and then
- * keeps still would else seem faultless. */
+/* Calls one case. What was right by itself must be right here too: a program that knows the tool
+ * and then keeps still would else seem faultless. */
 static int call_case(const struct trial *trial, struct series *series, struct look *look,
                      struct attempt *attempt, struct error *err)
 {
@@ -158,7 +158,7 @@ static int call_case(const struct trial *trial, struct series *series, struct lo
     series_call(series, input, 0, &limits, attempt);
     look->found = attempt->claims.tool_errors > 0;
     if (series->end != CALL_ANSWERED || look->found ||
-        trial->cases[look->last].attempt.verdict != VERDICT_PASSED)
+        !attempt_is_right(&trial->cases[look->last].attempt))
         return 0;
     if (attempt_judge(trial->yardstick, input, &series->session, attempt, err) != 0)
         return -1;
@@ -193,7 +193,7 @@ static int run_series(struct trial *trial, struct look *look, struct attempt *at
         result = -1;
     if (attempt->outcome.end == BOX_ENDED_EXIT && attempt->outcome.exit_code == SERIES_FOUND)
         look->found = look->last >= 0;
-    else if (died && trial->cases[look->last].attempt.verdict == VERDICT_PASSED)
+    else if (died && attempt_is_right(&trial->cases[look->last].attempt))
         look->differs = true;
     series_release(&series);
     return result;

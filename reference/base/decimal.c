@@ -1,0 +1,29 @@
+/* Numbers as people write them; see decimal.h. */
+#include "reference/base/decimal.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { FEWEST_DIGITS = 4, MOST_DIGITS = 17 /* tell any two doubles apart */ };
+
+static int whole_digits(double value)
+{
+    int digits = FEWEST_DIGITS;
+    for (double bound = 1e4; digits < MOST_DIGITS && fabs(value) >= bound; bound *= 10)
+        digits++;
+    return digits;
+}
+
+void decimal_write(double value, double beside, char text[DECIMAL_BYTES])
+{
+    char other[DECIMAL_BYTES];
+    bool differ = value < beside || value > beside;
+    for (int digits = whole_digits(value); digits <= MOST_DIGITS; digits++) {
+        snprintf(text, DECIMAL_BYTES, "%.*g", digits, value);
+        snprintf(other, sizeof other, "%.*g", digits, beside);
+        if (!differ || strcmp(text, other) != 0)
+            return;
+    }
+}
