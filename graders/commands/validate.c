@@ -6,6 +6,7 @@
 #include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
 #include "graders/engine/upload/sources.h"
+#include "graders/judges/table.h"
 #include "graders/known/stamps.h"
 #include "graders/known/submissions.h"
 #include "reference/base/plural.h"
@@ -257,10 +258,12 @@ static int count_kind(const struct subject *subject, const char *kind)
     return count;
 }
 
-static bool fails_alone(const struct subject *subject, const char *class)
+static bool fails_alone(const struct subject *subject, const char *class,
+                        const struct quality_rule *rule)
 {
     for (int i = 0; i < subject->known.count; i++)
-        if (subject->findings[i].is_met && strcmp(subject->findings[i].failed, class) == 0)
+        if (subject->findings[i].is_met &&
+            expectation_fails_just(subject->findings[i].failed, class, rule))
             return true;
     return false;
 }
@@ -268,17 +271,22 @@ static bool fails_alone(const struct subject *subject, const char *class)
 /* Whether the submissions can tell a judge that works from one that does not. */
 static void check_set(struct plan *plan, const struct subject *subject)
 {
+    static const struct quality_rule none;
     const struct exercise *exercise = subject->exercise;
+    const struct judge *judge = judge_find(exercise->name);
+    const struct quality_rule *rule = judge ? &judge->quality : &none;
     int right = count_kind(subject, "right");
     if (right < RIGHT_LEAST)
         miss(plan, exercise, "%d right answer%s; write %d by different methods in right/", right,
              plural_ending(right), RIGHT_LEAST);
     if (exercise->checked[CHECK_GROWTH] && count_kind(subject, "slow") == 0)
         miss(plan, exercise, "growth is judged and nothing is slow; write one in slow/");
-    for (int i = 0; i < exercise->class_count; i++)
-        if (!fails_alone(subject, exercise->classes[i].name))
-            miss(plan, exercise, "no submission fails just class %s; write one in wrong/",
-                 exercise->classes[i].name);
+    for (int i = 0; i < exercise->class_count; i++) {
+        const char *class = exercise->classes[i].name;
+        if (!fails_alone(subject, class, rule))
+            miss(plan, exercise, "no submission fails just class %s; write one in %s/", class,
+                 quality_band_of(rule, class) ? "poor" : "wrong");
+    }
 }
 
 static int validate(struct plan *plan, const struct exercise *exercise, struct error *err)

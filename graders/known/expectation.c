@@ -1,6 +1,7 @@
 /* Reads what a submission is expected to get; see expectation.h. */
 #include "graders/known/expectation.h"
 
+#include "graders/engine/base/exercise.h"
 #include "graders/engine/base/verdict.h"
 
 #include <stdio.h>
@@ -12,7 +13,8 @@ static const double MARGIN = 1.25; /* right answers stay this factor inside ever
 static const struct {
     const char *folder, *verdict;
 } kinds[] = {{"right", "passed"},           {"wrong", "wrong-answer"}, {"slow", "grows-too-fast"},
-             {"greedy", "too-much-memory"}, {"crash", "crash"},        {"leak", "leak"}};
+             {"greedy", "too-much-memory"}, {"crash", "crash"},        {"leak", "leak"},
+             {"poor", "poor-quality"}};
 
 static const char *verdict_of_kind(const char *kind)
 {
@@ -138,6 +140,31 @@ bool expectation_is_met(const struct expectation *expected, const json_t *result
     if (!failures_match(expected, result, why, capacity))
         return false;
     return strcmp(verdict, verdict_name(VERDICT_PASSED)) != 0 || has_margin(result, why, capacity);
+}
+
+/* Bands lie on the same inputs: what is too poor for one is so for every stricter one. */
+static bool is_stricter(const struct quality_rule *rule, const char *class_name, const char *than)
+{
+    const struct quality_band *band = quality_band_of(rule, class_name);
+    const struct quality_band *other = quality_band_of(rule, than);
+    return band && other && quality_is_worse(rule, other->limit, band->limit);
+}
+
+bool expectation_fails_just(const char *failed, const char *class_name,
+                            const struct quality_rule *rule)
+{
+    bool is_met = false;
+    while (*failed) {
+        char name[EXERCISE_NAME];
+        size_t length = strcspn(failed, ",");
+        snprintf(name, sizeof name, "%.*s", (int)length, failed);
+        if (strcmp(name, class_name) == 0)
+            is_met = true;
+        else if (!is_stricter(rule, name, class_name))
+            return false;
+        failed += length + (failed[length] == ',');
+    }
+    return is_met;
 }
 
 void expectation_failed_classes(const json_t *result, char *names, size_t capacity)

@@ -3,6 +3,7 @@
 #ifndef GRADERS_KNOWN_EXPECTATION_H
 #define GRADERS_KNOWN_EXPECTATION_H
 
+#include "graders/library/quality.h"
 #include "reference/base/error.h"
 
 #include <jansson.h>
@@ -32,6 +33,11 @@ int expectation_read(const char *kind, const char *name, const char *text,
  * When not, `why` says what differs. */
 bool expectation_is_met(const struct expectation *expected, const json_t *result, char *why,
                         size_t capacity);
+
+/* Whether of a list of failed classes ("open,closed") just this one failed, and bands of quality
+ * that are stricter than its own. */
+bool expectation_fails_just(const char *failed, const char *class_name,
+                            const struct quality_rule *rule);
 
 /* The classes that failed, "open,several-components"; empty when none did. */
 void expectation_failed_classes(const json_t *result, char *names, size_t capacity);

@@ -13,7 +13,8 @@
 
 enum { SOURCE_BYTES = 1 << 20, SUBMISSIONS_MAX = 1000 };
 
-static const char *const kinds[] = {"crash", "greedy", "hostile", "leak", "right", "slow", "wrong"};
+static const char *const kinds[] = {"crash", "greedy", "hostile", "leak",
+                                    "poor",  "right",  "slow",    "wrong"};
 
 /* Where an exercise's files stand. */
 struct place {
@@ -130,8 +131,8 @@ static int check_folders(const struct place *place, struct error *err)
     for (size_t i = 0; result == 0 && names[i]; i++)
         if (!is_kind(names[i]))
             result = error_set(err,
-                               "%s/%s: no kind of submission; use right, wrong, slow, greedy, "
-                               "crash, leak or hostile",
+                               "%s/%s: no kind of submission; use right, wrong, poor, slow, "
+                               "greedy, crash, leak or hostile",
                                place->folder, names[i]);
     free(names);
     return result;

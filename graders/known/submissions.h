@@ -1,6 +1,6 @@
 /* Submissions whose verdict is known: tests/submissions/<group>/<exercise>/<kind>/, one an entry,
  * as a whole file NAME.c or as a change of one, NAME.change (change.h). The kind is the folder:
- * right, wrong, slow, greedy, crash, leak, hostile. Right ones are whole files. */
+ * right, wrong, poor, slow, greedy, crash, leak, hostile. Right ones are whole files. */
 #ifndef GRADERS_KNOWN_SUBMISSIONS_H
 #define GRADERS_KNOWN_SUBMISSIONS_H
 

@@ -50,15 +50,16 @@ static void change_once(struct random *rng, unsigned char *bytes, size_t *count)
 }
 
 /* Judges a copy of exactly `count` bytes, so that a sanitizer sees a read beyond. */
-static void judge_bytes(const struct judge *judge, struct span input, const unsigned char *bytes,
-                        size_t count, const struct usage *usage, struct judgement *judgement)
+static void judge_bytes(const struct judge *judge, const struct judge_case *c, struct span input,
+                        const unsigned char *bytes, size_t count, const struct usage *usage,
+                        struct judgement *judgement)
 {
     struct error err = {0};
     unsigned char *copy = malloc(count ? count : 1);
     assert_non_null(copy);
     memcpy(copy, bytes, count);
     memset(judgement, 0, sizeof *judgement);
-    if (judge_answer(judge, input, (struct span){copy, count}, usage, judgement, &err))
+    if (judge_case_answer(judge, c, input, (struct span){copy, count}, usage, judgement, &err))
         fail_msg("%s: the judge failed: %s", judge->exercise, err.text);
     if (!judgement->accepted &&
         !(judgement->cause[0] && judgement->message.en[0] && judgement->message.es[0]))
@@ -70,7 +71,7 @@ static void judge_bytes(const struct judge *judge, struct span input, const unsi
     free(copy);
 }
 
-static void fuzz_case(const struct judge *judge, struct span input,
+static void fuzz_case(const struct judge *judge, const struct judge_case *c, struct span input,
                       const struct submission_answer *right, int rounds, uint64_t seed)
 {
     struct random rng;
@@ -90,8 +91,8 @@ static void fuzz_case(const struct judge *judge, struct span input,
                 bytes[i] = (unsigned char)random_next(&rng);
         for (uint64_t i = 0, changes = random_below(&rng, CHANGES_MAX); i <= changes; i++)
             change_once(&rng, bytes, &count);
-        judge_bytes(judge, input, bytes, count, &usage, &first);
-        judge_bytes(judge, input, bytes, count, &usage, &second);
+        judge_bytes(judge, c, input, bytes, count, &usage, &first);
+        judge_bytes(judge, c, input, bytes, count, &usage, &second);
         assert_int_equal(first.accepted, second.accepted);
         assert_string_equal(first.message.en, second.message.en);
     }
@@ -103,7 +104,7 @@ static void refuse(const struct judge *judge, const struct judge_case *c, struct
                    const char *what)
 {
     struct judgement judgement;
-    judge_bytes(judge, input, bytes, count, &right->usage, &judgement);
+    judge_bytes(judge, NULL, input, bytes, count, &right->usage, &judgement);
     if (judgement.accepted)
         fail_msg("%s, case %s: accepts %s", judge->exercise, c->name, what);
 }
@@ -157,7 +158,8 @@ static void fuzz_one(const struct judge *judge, size_t i, struct span input,
                      const struct submission_answer *right, int rounds)
 {
     if (right->count <= ANSWER_BYTES_MAX && input.count <= INPUT_BYTES_MAX)
-        fuzz_case(judge, input, right, rounds / (int)judge->case_count + 1, i + 1);
+        fuzz_case(judge, &judge->cases[i], input, right, rounds / (int)judge->case_count + 1,
+                  i + 1);
 }
 
 void answers_fuzz(const struct judge *judge, const char *group, int rounds)

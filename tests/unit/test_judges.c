@@ -124,10 +124,11 @@ static void build(const struct judge *judge, const char *format, struct submissi
     submission_build(submission, group, judge->exercise, source);
 }
 
-/* Judges what a program answers. `why` says what is wrong with it, and is empty when it is right.
+/* Judges what a program answers to a case, or to a size (c NULL). `why` says what is wrong with it, and is empty when it is right.
  */
-static void judge_run(const struct judge *judge, const struct submission *submission,
-                      struct span input, char *why, size_t capacity)
+static void judge_run(const struct judge *judge, const struct judge_case *c,
+                      const struct submission *submission, struct span input, char *why,
+                      size_t capacity)
 {
     struct submission_answer answer;
     struct judgement judgement = {0};
@@ -137,7 +138,7 @@ static void judge_run(const struct judge *judge, const struct submission *submis
     struct span bytes = {answer.bytes, answer.count};
     if (answer.end != SUBMISSION_ANSWERED)
         snprintf(why, capacity, "no answer");
-    else if (judge_answer(judge, input, bytes, &answer.usage, &judgement, &err) != 0)
+    else if (judge_case_answer(judge, c, input, bytes, &answer.usage, &judgement, &err) != 0)
         fail_msg("%s: the judge failed: %s", judge->exercise, err.text);
     else if (!judgement.accepted)
         snprintf(why, capacity, "%s [%s]: %s", judgement.cause, judgement.element.en,
@@ -174,7 +175,7 @@ static void check_sizes(const struct judge *judge, const struct submission *refe
         for (int i = 0; i < SIZES; i++) {
             struct writer input;
             make_sized(judge, family, first << i, &input);
-            judge_run(judge, reference, span_of(&input), why, sizeof why);
+            judge_run(judge, NULL, reference, span_of(&input), why, sizeof why);
             writer_release(&input);
             if (*why)
                 fail_msg("%s: size %d of %s: the reference: %s", judge->exercise, (int)(first << i),
@@ -192,7 +193,7 @@ static void the_reference_is_accepted(void **state)
         for (size_t i = 0; i < (*judge)->case_count; i++) {
             struct writer input;
             make_case(*judge, i, &input);
-            judge_run(*judge, &reference, span_of(&input), why, sizeof why);
+            judge_run(*judge, &(*judge)->cases[i], &reference, span_of(&input), why, sizeof why);
             if (*why)
                 fail_msg("%s, case %s: the reference: %s", (*judge)->exercise,
                          (*judge)->cases[i].name, why);
@@ -217,7 +218,7 @@ static void the_starter_fails_the_basic_class(void **state)
             if (strcmp((*judge)->cases[i].class_name, exercise_of(*judge)->classes[0].name) != 0)
                 continue;
             make_case(*judge, i, &input);
-            judge_run(*judge, &starter, span_of(&input), why, sizeof why);
+            judge_run(*judge, &(*judge)->cases[i], &starter, span_of(&input), why, sizeof why);
             failed = *why;
             writer_release(&input);
         }

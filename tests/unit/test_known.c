@@ -271,8 +271,8 @@ static void a_slip_in_a_folder_or_ending_is_seen(void **state)
 {
     (void)state;
     put("worng/two.c", base);
-    assert_unread("worng: no kind of submission; use right, wrong, slow, greedy, crash, leak or "
-                  "hostile");
+    assert_unread("worng: no kind of submission; use right, wrong, poor, slow, greedy, crash, leak "
+                  "or hostile");
 }
 
 static void other_files_are_no_submissions(void **state)
@@ -289,6 +289,34 @@ static void a_hostile_one_says_its_verdict(void **state)
     assert_unread("hostile/two.c: \"\" is no verdict; its first comment needs a line expect:");
 }
 
+/* ---------------------------------------------------------- what failed alone */
+
+static void stricter_bands_fail_along(void **state)
+{
+    static const struct quality_rule rule = {
+        .name = {"a", "a"},
+        .less_is_better = true,
+        .bands = {{"quality-fair", 1.6}, {"quality-good", 1.25}}};
+    (void)state;
+    assert_true(expectation_fails_just("open", "open", &rule));
+    assert_false(expectation_fails_just("open,closed", "open", &rule));
+    assert_false(expectation_fails_just("", "open", &rule));
+    assert_true(expectation_fails_just("quality-fair,quality-good", "quality-fair", &rule));
+    assert_false(expectation_fails_just("quality-fair,quality-good", "quality-good", &rule));
+    assert_true(expectation_fails_just("quality-good", "quality-good", &rule));
+    assert_false(expectation_fails_just("open,quality-good", "open", &rule));
+    assert_false(expectation_fails_just("quality-good", "quality-fair", &rule));
+}
+
+static void poor_answers_have_a_folder(void **state)
+{
+    struct expectation expected;
+    struct error err = {""};
+    (void)state;
+    assert_int_equal(expectation_read("poor", "poor/a.c", base, &expected, &err), 0);
+    assert_string_equal(expected.verdict, "poor-quality");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -300,6 +328,8 @@ int main(void)
         cmocka_unit_test(a_place_changes_something_at_a_known_place),
         cmocka_unit_test(a_comment_comes_first),
         cmocka_unit_test(the_base_is_a_file_of_the_exercise),
+        cmocka_unit_test(stricter_bands_fail_along),
+        cmocka_unit_test(poor_answers_have_a_folder),
         cmocka_unit_test_setup_teardown(a_folder_is_read_and_written_whole, make_root, remove_root),
         cmocka_unit_test_setup_teardown(what_is_out_of_place_is_refused, make_root, remove_root),
         cmocka_unit_test_setup_teardown(a_name_stands_once, make_root, remove_root),

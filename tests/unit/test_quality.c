@@ -287,7 +287,7 @@ static void without_a_number_nothing_is_told(void **state)
     json_decref(result);
 }
 
-static void the_page_shows_cases_beside_bands(void **state)
+static void the_page_and_the_export_show_it(void **state)
 {
     char out[64];
     struct error err = {""};
@@ -304,6 +304,15 @@ static void the_page_shows_cases_beside_bands(void **state)
     assert_says(text, "<code>strip-2</code>");
     assert_says(text, ">1.31</td>");
     assert_says(text, ">at most<");
+    free(text);
+    size_t length = 0;
+    FILE *to = open_memstream(&text, &length);
+    struct export_selection selection = {.student = "ana-garcia"};
+    assert_non_null(to);
+    if (report_export(out, "json", &selection, to, &err) != 0)
+        fail_msg("%s", err.text);
+    fclose(to);
+    assert_says(text, "\"worst\"");
     free(text);
     sample_remove(out);
     json_decref(result);
@@ -341,7 +350,7 @@ int main(void)
         cmocka_unit_test(a_poor_answer_keeps_its_points_of_correctness),
         cmocka_unit_test(the_terminal_tells_it),
         cmocka_unit_test(without_a_number_nothing_is_told),
-        cmocka_unit_test(the_page_shows_cases_beside_bands),
+        cmocka_unit_test(the_page_and_the_export_show_it),
         cmocka_unit_test(the_check_knows_every_key)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
