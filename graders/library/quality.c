@@ -74,10 +74,10 @@ static void reject(const struct quality_rule *rule, double limit, struct judgeme
     if (!judge_reject_for(out, &quality_poor))
         return;
     message_clear(&out->message);
-    judge_en(out, "The answer is right but poor: %s; this class %s %s.", measured.en,
-             rule->less_is_better ? "allows at most" : "asks for at least", allowed);
-    judge_es(out, "La respuesta es correcta pero pobre: %s; esta clase %s %s.", measured.es,
-             rule->less_is_better ? "admite como máximo" : "pide como mínimo", allowed);
+    judge_en(out, "The answer is right but poor: %s (at %s %s).", measured.en,
+             rule->less_is_better ? "most" : "least", allowed);
+    judge_es(out, "Respuesta correcta pero pobre: %s (%s %s).", measured.es,
+             rule->less_is_better ? "máximo" : "mínimo", allowed);
 }
 
 int quality_judge(const struct quality_rule *rule, const char *class_name, struct judgement *out,

@@ -5,11 +5,6 @@
 
 #include <string.h>
 
-static bool has_quality(const json_t *one)
-{
-    return json_object_get(one, "quality") != NULL;
-}
-
 /* The longest bar. */
 static double most_of(const json_t *result, const json_t *bands)
 {
@@ -18,7 +13,7 @@ static double most_of(const json_t *result, const json_t *bands)
     json_t *part;
     json_array_foreach(json_object_get(result, "cases"), i, part)
     {
-        if (has_quality(part) && result_number(part, "quality") > most)
+        if (result_number(part, "quality") > most)
             most = result_number(part, "quality");
     }
     json_array_foreach(bands, i, part)
@@ -87,30 +82,74 @@ static void write_sentence(struct html *page, const json_t *quality)
     char en[WORDS_QUALITY_BYTES], es[WORDS_QUALITY_BYTES];
     words_of_quality(quality, false, en);
     words_of_quality(quality, true, es);
-    html_both_leaf(page, "p", NULL, (struct phrase){en, es});
+    html_open(page, "p");
+    html_both(page, (struct phrase){"At worst: ", "En el peor caso: "});
+    html_both(page, (struct phrase){en, es});
+    html_close(page, "p");
 }
 
-static void write_table(struct html *page, const json_t *result, const json_t *quality)
+/* Whether a case stands in the table of cases with a band, or in that of the others. */
+static bool belongs(const json_t *one, const json_t *bands, bool with_band)
+{
+    return json_object_get(one, "quality") &&
+           (band_of(bands, result_text(one, "class")) != NULL) == with_band;
+}
+
+static size_t count_cases(const json_t *result, const json_t *bands, bool with_band)
+{
+    size_t count = 0;
+    size_t i;
+    json_t *one;
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        count += belongs(one, bands, with_band);
+    }
+    return count;
+}
+
+/* The cases with a band and the limits, or the others. */
+static void write_table(struct html *page, const json_t *result, const json_t *quality,
+                        bool with_band)
 {
     const json_t *bands = json_object_get(quality, "bands");
     bool less = json_is_true(json_object_get(quality, "less_is_better"));
     double most = most_of(result, bands);
     size_t i;
     json_t *part;
+    html_open(page, "div");
+    html_attribute(page, "class", "scroll");
+    html_attribute(page, "tabindex", "0");
     html_open(page, "table");
     html_attribute(page, "class", "bars");
     html_open(page, "tbody");
     json_array_foreach(json_object_get(result, "cases"), i, part)
     {
-        if (has_quality(part))
+        if (belongs(part, bands, with_band))
             write_case(page, part, bands, most);
     }
-    json_array_foreach(bands, i, part)
-    {
-        write_band(page, part, less, most);
-    }
+    if (with_band)
+        json_array_foreach(bands, i, part)
+        {
+            write_band(page, part, less, most);
+        }
     html_close(page, "tbody");
     html_close(page, "table");
+    html_close(page, "div");
+}
+
+/* Cases whose number is only told: closed, unless there are no others. */
+static void write_others(struct html *page, const json_t *result, const json_t *quality)
+{
+    const json_t *bands = json_object_get(quality, "bands");
+    if (count_cases(result, bands, false) == 0)
+        return;
+    html_open(page, "details");
+    if (count_cases(result, bands, true) == 0)
+        html_flag(page, "open");
+    html_both_leaf(page, "summary", NULL,
+                   (struct phrase){"Cases without a limit", "Casos sin límite"});
+    write_table(page, result, quality, false);
+    html_close(page, "details");
 }
 
 void page_quality(struct html *page, const json_t *result)
@@ -125,11 +164,9 @@ void page_quality(struct html *page, const json_t *result)
     html_open(page, "div");
     html_attribute(page, "class", "measure");
     write_sentence(page, quality);
-    html_open(page, "div");
-    html_attribute(page, "class", "scroll");
-    html_attribute(page, "tabindex", "0");
-    write_table(page, result, quality);
-    html_close(page, "div");
+    if (json_array_size(json_object_get(quality, "bands")) > 0)
+        write_table(page, result, quality, true);
+    write_others(page, result, quality);
     html_close(page, "div");
     html_close(page, "details");
 }
