@@ -8,10 +8,13 @@
 
 enum { FEWEST_DIGITS = 4, MOST_DIGITS = 17 /* tell any two doubles apart */ };
 
+/* As many as the whole part has; huge numbers have an exponent anyway. */
 static int whole_digits(double value)
 {
     int digits = FEWEST_DIGITS;
-    for (double bound = 1e4; digits < MOST_DIGITS && fabs(value) >= bound; bound *= 10)
+    if (fabs(value) >= 1e16)
+        return digits;
+    for (double bound = 1e4; fabs(value) >= bound; bound *= 10)
         digits++;
     return digits;
 }
