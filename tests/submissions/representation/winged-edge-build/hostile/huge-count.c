@@ -10,10 +10,10 @@ int32_t winged_edge_build(const int32_t *first_corner, const int32_t *corners, i
 {
     (void)first_corner;
     (void)corners;
-    (void)face_count;
-    (void)vertex_count;
-    (void)vertex_edge;
-    (void)face_edge;
+    for (int32_t v = 0; v < vertex_count; v++)
+        vertex_edge[v] = NONE;
+    for (int32_t f = 0; f < face_count; f++)
+        face_edge[f] = NONE;
     *edges = calloc(1, sizeof **edges);
     return *edges ? INT32_MAX : OUT_OF_MEMORY;
 }
