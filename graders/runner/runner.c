@@ -86,28 +86,28 @@ static void watch_faults(void)
 
 /* ------------------------------------------------------------------- stack */
 
+/* Where the pattern begins. The frame that looks for it may lie deeper than the one that wrote it:
+ * a call with many arguments can leave them on the stack until its caller returns. */
+static volatile uint64_t *paint_top;
+
 /* Writes a pattern below the present frame, from the top down as a stack grows. */
 __attribute__((noinline)) static void paint_stack(void)
 {
-    volatile uint64_t *top =
-        (volatile uint64_t *)(((uintptr_t)__builtin_frame_address(0) - PAINT_GAP_BYTES) &
-                              ~(uintptr_t)7);
-    for (size_t i = 1; i <= PAINTED_BYTES / sizeof *top; i++)
-        top[-(ptrdiff_t)i] = PAINT;
+    paint_top = (volatile uint64_t *)(((uintptr_t)__builtin_frame_address(0) - PAINT_GAP_BYTES) &
+                                      ~(uintptr_t)7);
+    for (size_t i = 1; i <= PAINTED_BYTES / sizeof *paint_top; i++)
+        paint_top[-(ptrdiff_t)i] = PAINT;
 }
 
-/* Bytes below this frame where the pattern is gone. */
-__attribute__((noinline)) static int64_t painted_over_bytes(void)
+/* Bytes below that place where the pattern is gone. */
+static int64_t painted_over_bytes(void)
 {
-    const volatile uint64_t *top =
-        (const volatile uint64_t *)(((uintptr_t)__builtin_frame_address(0) - PAINT_GAP_BYTES) &
-                                    ~(uintptr_t)7);
-    size_t untouched = PAINTED_BYTES / sizeof *top;
-    const volatile uint64_t *low = top - untouched;
+    size_t untouched = PAINTED_BYTES / sizeof *paint_top;
+    const volatile uint64_t *low = paint_top - untouched;
     size_t i = 0;
     while (i < untouched && low[i] == PAINT)
         i++;
-    return (int64_t)((untouched - i) * sizeof *top);
+    return (int64_t)((untouched - i) * sizeof *paint_top);
 }
 
 /* ----------------------------------------------------------------- measure */
