@@ -3,6 +3,8 @@
 
 #include "graders/report/chart.h"
 
+#include <math.h>
+
 static double number_at(const json_t *family, const char *key, size_t i)
 {
     return json_number_value(json_array_get(json_object_get(family, key), i));
@@ -28,7 +30,17 @@ static void write_ratio_cell(struct html *page, double value, double by)
     write_number_cell(page, "x", value > 0 && by > 0 ? value / by : 0);
 }
 
-/* Work at doubling sizes: how much more each doubling costs, and how much more than the reference.
+/* How much more a count is than at the size before, for each doubling that lies between. */
+static void write_step_cell(struct html *page, const json_t *family, const char *key, size_t i)
+{
+    double before = i ? number_at(family, key, i - 1) : 0, value = number_at(family, key, i);
+    double doublings =
+        i ? log2(number_at(family, "sizes", i) / number_at(family, "sizes", i - 1)) : 0;
+    bool is_step = before > 0 && value > 0 && doublings > 0;
+    write_number_cell(page, "x", is_step ? pow(value / before, 1 / doublings) : 0);
+}
+
+/* Work at growing sizes: how much more each doubling costs, and how much more than the reference.
  */
 static void write_doubling_table(struct html *page, const json_t *family, struct phrase element)
 {
@@ -61,10 +73,9 @@ static void write_doubling_table(struct html *page, const json_t *family, struct
         html_format(page, "%.0f", number_at(family, "sizes", i));
         html_close(page, "th");
         write_number_cell(page, "", own);
-        write_ratio_cell(page, own, i ? number_at(family, "instructions", i - 1) : 0);
+        write_step_cell(page, family, "instructions", i);
         write_number_cell(page, "", reference);
-        write_ratio_cell(page, reference,
-                         i ? number_at(family, "reference_instructions", i - 1) : 0);
+        write_step_cell(page, family, "reference_instructions", i);
         write_ratio_cell(page, own, reference);
         html_close(page, "tr");
     }
@@ -80,10 +91,16 @@ static void write_family_title(struct html *page, const json_t *family, const js
     if (fit) {
         html_both(page, (struct phrase){": grows like ", ": crece como "});
         html_leaf(page, "b", NULL, result_text(fit, "class"));
-        html_format(page, " (n^%.2f)", result_number(fit, "exponent"));
     }
     html_both(page, (struct phrase){"; allowed: ", "; se permite: "});
     html_leaf(page, "b", NULL, result_text(growth, "allowed"));
+    double excess = result_number(fit, "excess_percent");
+    if (excess >= 1) {
+        struct message share;
+        message_say(&share, "; %.0f %% of the work at the largest size grows faster",
+                    "; el %.0f %% del trabajo en el tamaño mayor crece más deprisa", excess);
+        html_both(page, message_phrase(&share));
+    }
     html_close(page, "p");
 }
 

@@ -164,6 +164,67 @@ static void test_the_mean_of_totals_stands_below_them(void **state)
     sample_remove(out);
 }
 
+/* Puts the texts of an exercise that nobody here knows into the first rejected case. */
+static void make_new_cause(json_t *result)
+{
+    size_t i;
+    json_t *one;
+    json_array_foreach(json_object_get(result, "cases"), i, one)
+    {
+        if (strcmp(json_string_value(json_object_get(one, "name")), "disc") != 0)
+            continue;
+        json_object_set_new(one, "cause", json_string("lost-loop"));
+        json_object_set_new(one, "cause_name",
+                            json_pack("{s:s, s:s}", "en", "lost loop", "es", "falta un bucle"));
+        json_object_set_new(
+            one, "element",
+            json_pack("{s:s, s:s}", "en", "loop 0, side (1,36)", "es", "bucle 0, lado (1,36)"));
+    }
+}
+
+static void test_new_causes_and_nouns_read_in_both_languages(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"<span lang=\"en\">lost loop</span>",
+                                        "<span lang=\"es\">falta un bucle</span>",
+                                        "<span lang=\"es\">bucle 0, lado (1,36)</span>"};
+    char out[64];
+    sample_copy(out);
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    make_new_cause(result);
+    sample_store(out, result);
+    make_pages(out);
+    char *student = sample_read(out, "students/ana-garcia.html");
+    for (size_t i = 0; i < 3; i++)
+        assert_non_null(strstr(student, texts[i]));
+    free(student);
+    json_decref(result);
+    sample_remove(out);
+}
+
+/* A page shows the picture of its language; where there is only one, that. */
+static void test_pictures_follow_the_language(void **state)
+{
+    (void)state;
+    static const char spanish[] =
+        "lang=\"es\" href=\"../pictures/ana-garcia/edge-table-any/disc.es.png\"";
+    char out[64], path[200];
+    sample_copy(out);
+    for (int both = 0; both < 2; both++) {
+        snprintf(path, sizeof path, "%s/pictures/ana-garcia/edge-table-any/disc%s.png", out,
+                 both ? ".es" : "");
+        FILE *file = fopen(path, "w");
+        assert_non_null(file);
+        fclose(file);
+        make_pages(out);
+        char *text = sample_read(out, "students/ana-garcia.html");
+        assert_non_null(strstr(text, "href=\"../pictures/ana-garcia/edge-table-any/disc.png\""));
+        assert_int_equal(strstr(text, spanish) != NULL, both);
+        free(text);
+    }
+    sample_remove(out);
+}
+
 static void test_what_was_not_run_is_said_with_its_reason(void **state)
 {
     (void)state;
@@ -275,6 +336,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_making_pages_again_changes_nothing),
         cmocka_unit_test(test_the_class_page_says_what_matters),
         cmocka_unit_test(test_the_mean_of_totals_stands_below_them),
+        cmocka_unit_test(test_new_causes_and_nouns_read_in_both_languages),
+        cmocka_unit_test(test_pictures_follow_the_language),
         cmocka_unit_test(test_what_was_not_run_is_said_with_its_reason),
         cmocka_unit_test(test_what_was_not_measured_is_listed),
         cmocka_unit_test(test_the_reason_for_missing_pictures_is_on_the_pages),
