@@ -242,7 +242,7 @@ static struct phrase range_hint(int32_t value, struct answer_column column, int6
     if (value == -1 && !column.may_be_none)
         return (struct phrase){"Is -1 a mark of the program for 'none'?",
                                "¿Es -1 una marca del programa para decir 'ninguno'?"};
-    if (value == limit)
+    if (value == limit && column.of != OF_RESULT) /* of its own rows: the count may be wrong */
         return (struct phrase){"Is counting from 1?", "¿Se cuenta desde 1?"};
     if (limit > INT16_MAX + 1 && value < 0)
         return (struct phrase){"Does a number overflow? Here they need more than 15 bits.",

@@ -44,8 +44,9 @@ struct given given_soup(struct reader *input);  /* points, face_count */
 struct given given_line(struct reader *input);  /* points, point_count, is_closed */
 struct given given_field(struct reader *input); /* points, rows, columns, layers */
 
-/* An array that the caller gives to the student, of `count` rows; from the heap, so that tools see
- * a step outside. Ends the process when memory runs out, before the student's code was called. */
+/* An array that the caller gives to the student, of `count` rows; from the heap, so that tools see a
+ * step outside. It lives until the next call. Ends the process when memory runs out, before the
+ * student's code was called. */
 void *given_array(int64_t count, size_t row_bytes);
 
 /* Writes the result. Returns whether tables follow: it is no refusal. */
@@ -55,7 +56,7 @@ bool answer_result(struct writer *answer, int64_t result);
 void answer_table(struct writer *answer, int64_t count, void *table, size_t row_bytes);
 void answer_rows(struct writer *answer, int64_t count, int32_t *first, int32_t *values);
 
-/* Writes an array of the caller's, which given_array made, and frees it. */
+/* Writes an array of the caller's, which given_array made. */
 void answer_given(struct writer *answer, int64_t count, void *array, size_t row_bytes);
 
 #define TRIANGLES given_triangles, given.triangles, given.face_count, given.vertex_count
