@@ -22,10 +22,26 @@ struct request {
 
 /* ---------------------------------------------------------------- progress */
 
+/* A fault is for who grades, at once and not only in the pages; the same one is told once. */
+static void tell_fault(const json_t *result)
+{
+    static char told[MESSAGE_BYTES];
+    const json_t *message = json_object_get(json_object_get(result, "summary"), "en");
+    const char *text = json_string_value(message);
+    const char *verdict = json_string_value(json_object_get(result, "verdict"));
+    if (!text || !verdict || strcmp(verdict, "fault") != 0 || strcmp(told, text) == 0)
+        return;
+    snprintf(told, sizeof told, "%s", text);
+    fprintf(stderr, "%smeshgrade: %s/%s: %s\n", isatty(STDERR_FILENO) ? "\r\033[K" : "",
+            json_string_value(json_object_get(result, "student_folder")),
+            json_string_value(json_object_get(result, "exercise")), text);
+}
+
 static void show_progress(const struct classroom *classroom, const json_t *result, int done,
                           int total)
 {
     (void)classroom;
+    tell_fault(result);
     if (!isatty(STDERR_FILENO))
         return;
     enum { WIDTH = 30 };
