@@ -11,7 +11,7 @@
  * in `open` (and the Moebius strip), coherent but in `incoherent-orientation`, in one component but
  * in `several-components`, and so on; only `high-valence` has vertices with more than 32
  * neighbours, only `high-numbers` has numbers that overflow 16 bits, 32 bits when multiplied, or,
- * in `vast-numbers`, the mantissa of a float or of a double that holds two. */
+ * where the mesh is vast, 20 bits or the mantissa of a double that holds two. */
 #ifndef GRADERS_LIBRARY_CASES_H
 #define GRADERS_LIBRARY_CASES_H
 
@@ -162,7 +162,7 @@
         }                                                                                          \
     }
 
-/* Of exercises with INPUT_TOPOLOGY; memory_megabytes must be 1024 or more. */
+/* Of exercises with INPUT_TOPOLOGY; memory_megabytes should be 512 or more. */
 #define CASES_VAST_NUMBERS(seed)                                                                   \
     {                                                                                              \
         "part-of-vast-mesh", "high-numbers", (seed), HIDDEN, .mesh = {                             \

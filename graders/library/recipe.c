@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { HIGH_UNUSED = 66000, VAST_UNUSED = (1 << 24) + 1000, PATH_BYTES = 1024 };
+enum { HIGH_UNUSED = 66000, VAST_UNUSED = (1 << 21) + 1000, PATH_BYTES = 1024 };
 
 /* ------------------------------------------------------------------ shapes that are only cases */
 

@@ -66,9 +66,9 @@ enum mesh_change {
     ADVERSARIAL = 1 << 15,
     HIGH_NUMBERS = 1 << 16, /* 66,000 unused vertices before all others: 16 bits overflow, and
                                i * vertex_count + j in 32 bits */
-    VAST_NUMBERS = 1 << 17  /* 2^24 + 1,000 unused vertices before all others, without positions:
-                               numbers kept in a float lose their last bit, and so do keys such
-                               as i * 2^32 + j in a double */
+    VAST_NUMBERS =
+        1 << 17 /* 2^21 + 1,000 unused vertices before all others, without positions: keys
+                               of 20 bits overflow, and i * 2^32 + j in a double loses its last bit */
 };
 
 struct mesh_recipe {

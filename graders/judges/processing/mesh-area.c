@@ -77,6 +77,8 @@ static const struct judge_case cases[] = {
      .mesh = {SHAPE_GRID, .rows = 250, .columns = 200, .changes = SCRAMBLED}},
     {"1000000-triangles", "many-triangles", 82, HIDDEN,
      .mesh = {SHAPE_UV_SPHERE, .meridians = 1000, .parallels = 500}},
+    {"10000000-triangles", "many-triangles", 83, HIDDEN,
+     .mesh = {SHAPE_GRID, .rows = 1600, .columns = 3125}},
 };
 
 static const struct size_family families[] = {

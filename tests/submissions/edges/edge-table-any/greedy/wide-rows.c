@@ -1,4 +1,8 @@
-/* Has room for 256 neighbours at every vertex, of which six are used. */
+/* Has room for 256 neighbours at every vertex, of which six are used.
+ * A part of a vast mesh asks for more than there is.
+ * expect: out-of-memory
+ * fails: high-numbers, memory
+ */
 #include "edge-table-any.h"
 
 #include <stdlib.h>
