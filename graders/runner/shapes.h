@@ -75,7 +75,7 @@ void answer_given(struct writer *answer, int64_t count, void *array, size_t row_
 #define SHAPES_READ(...) SHAPES_EXPAND(SHAPES_READER, __VA_ARGS__)(input)
 #define SHAPES_PASS(...) SHAPES_EXPAND(SHAPES_ARGUMENTS, __VA_ARGS__)
 
-/* A number: double f(given). */
+/* A number that is never below 0, an area or a length: double f(given), or OUT_OF_MEMORY. */
 #define CALL_REAL(function, ...)                                                                   \
     void run_call(struct reader *input, struct writer *answer)                                     \
     {                                                                                              \
@@ -83,7 +83,10 @@ void answer_given(struct writer *answer, int64_t count, void *array, size_t row_
         measure_begin();                                                                           \
         double result = function(SHAPES_PASS(__VA_ARGS__));                                        \
         measure_end();                                                                             \
-        write_real(answer, result);                                                                \
+        if (result == OUT_OF_MEMORY)                                                               \
+            call_out_of_memory();                                                                  \
+        else                                                                                       \
+            write_real(answer, result);                                                            \
     }
 
 #define SHAPES_CALL(what, ...)                                                                     \
