@@ -63,20 +63,14 @@ static const struct field check_fields[] = {{"name", NAME, REQUIRED, NULL},
                                             {"message", WORDS, REQUIRED, NULL},
                                             {0}};
 
-static const struct field case_fields[] = {{"name", NAME, REQUIRED, NULL},
-                                           {"class", NAME, REQUIRED, NULL},
-                                           {"verdict", ANY_VERDICT, REQUIRED, NULL},
-                                           {"cause", STRING, REQUIRED, NULL},
-                                           {"cause_name", WORDS, OPTIONAL, NULL},
-                                           {"message", WORDS, REQUIRED, NULL},
-                                           {"seed", STRING, REQUIRED, NULL},
-                                           {"public", TRUTH, REQUIRED, NULL},
-                                           {"reproduce", STRING, REQUIRED, NULL},
-                                           {"element", WORDS_OR_STRING, OPTIONAL, NULL},
-                                           {"scene", TRUTH, OPTIONAL, NULL},
-                                           {"picture", STRING, OPTIONAL, NULL},
-                                           {"quality", NUMBER, OPTIONAL, NULL},
-                                           {0}};
+static const struct field case_fields[] = {
+    {"name", NAME, REQUIRED, NULL},           {"class", NAME, REQUIRED, NULL},
+    {"verdict", ANY_VERDICT, REQUIRED, NULL}, {"cause", STRING, REQUIRED, NULL},
+    {"cause_name", WORDS, OPTIONAL, NULL},    {"message", WORDS, REQUIRED, NULL},
+    {"seed", STRING, REQUIRED, NULL},         {"public", TRUTH, REQUIRED, NULL},
+    {"reproduce", STRING, REQUIRED, NULL},    {"element", WORDS_OR_STRING, OPTIONAL, NULL},
+    {"scene", TRUTH, OPTIONAL, NULL},         {"picture", STRING, OPTIONAL, NULL},
+    {"quality", NUMBER, OPTIONAL, NULL},      {0}};
 
 static const struct field fit_fields[] = {{"class", STRING, REQUIRED, NULL},
                                           {"exponent", NUMBER, REQUIRED, NULL},
@@ -127,12 +121,10 @@ static const struct field band_fields[] = {{"class", NAME, REQUIRED, NULL},
                                            {"limit", NUMBER, REQUIRED, NULL},
                                            {0}};
 
-static const struct field quality_fields[] = {{"name", WORDS, REQUIRED, NULL},
-                                              {"unit", WORDS, OPTIONAL, NULL},
-                                              {"less_is_better", TRUTH, REQUIRED, NULL},
-                                              {"worst", NUMBER, REQUIRED, NULL},
-                                              {"bands", RECORDS, REQUIRED, band_fields},
-                                              {0}};
+static const struct field quality_fields[] = {
+    {"name", WORDS, REQUIRED, NULL},           {"unit", WORDS, OPTIONAL, NULL},
+    {"less_is_better", TRUTH, REQUIRED, NULL}, {"worst", NUMBER, REQUIRED, NULL},
+    {"bands", RECORDS, REQUIRED, band_fields}, {0}};
 
 static const struct field measures_fields[] = {{"growth", RECORD, OPTIONAL, growth_fields},
                                                {"work", RECORD, OPTIONAL, work_fields},
@@ -430,8 +422,8 @@ static int check_cases(const json_t *result, struct error *err)
         if (standing == STANDING_FAILED && !json_object_get(one, "element"))
             return error_set(err, "cases[%zu].element: is missing though rejected", i);
         if (json_object_get(one, "quality") && !measures_quality(result))
-            return error_set(err, "cases[%zu].quality: measures.quality, which names it, is missing",
-                             i);
+            return error_set(err,
+                             "cases[%zu].quality: measures.quality, which names it, is missing", i);
         if (standing == STANDING_FAILED && !has_text(one, "cause"))
             return error_set(err, "cases[%zu].cause: is empty though rejected", i);
     }

@@ -83,8 +83,8 @@ static int run_reference(struct yardstick *yardstick, size_t index, struct error
 {
     struct attempt attempt;
     const struct judge_case *c = &yardstick->judge->cases[index];
-    int result = attempt_run(yardstick, &yardstick->reference, index, &reference_limits, &attempt,
-                             err);
+    int result =
+        attempt_run(yardstick, &yardstick->reference, index, &reference_limits, &attempt, err);
     if (result == 0 && attempt.verdict != VERDICT_PASSED)
         result = error_set(err, "exercise %s: the reference fails case %s: %s %s",
                            yardstick->exercise->name, c->name, attempt.cause, attempt.message.en);
