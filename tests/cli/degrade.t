@@ -78,7 +78,10 @@ assert r["build"]["diagnostics"] == "", r["build"]["diagnostics"]' "$scratch/ope
     "$meshgrade" grade "$scratch/right" --without private-root -o "$scratch/closed/marks" --no-pictures >/dev/null 2>"$scratch/talk"
     ok "a folder that the box's user cannot pass is a fault" [ $? -eq 2 ]
     ok "which names it and the remedy" matches "$scratch/talk" "$scratch/closed: .*chmod o.x"
-    ok "without a result" [ ! -e "$scratch/closed/marks/results/ana/edge-table-any.json" ]
+    ok "never a mark" python3 -c '
+import json, sys
+r = json.load(open(sys.argv[1]))
+assert r["verdict"] == "fault" and r["score"] is None, (r["verdict"], r["score"])' "$scratch/closed/marks/results/ana/edge-table-any.json"
 else
     skip "root without namespaces gives full marks" "needs root"
 fi
