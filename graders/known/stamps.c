@@ -136,13 +136,15 @@ int stamps_machine(char machine[STAMP_KEY], struct error *err)
     return 0;
 }
 
-static int add_runner(struct sha256_ctx *hash, const char *root, const char *exercise,
+static int add_runner(struct sha256_ctx *hash, const char *root, const struct exercise *exercise,
                       struct error *err)
 {
     static const char *const flavours[] = {"plain", "sanitized", "checked"};
     for (int i = 0; i < 3; i++) {
         char path[PATH_MAX];
-        snprintf(path, sizeof path, "%s/build/runner/%s.%s.o", root, exercise, flavours[i]);
+        if (snprintf(path, sizeof path, "%s/build/runner/%s/%s.%s.o", root, exercise->group,
+                     exercise->name, flavours[i]) >= (int)sizeof path)
+            return error_set(err, "%s: the path is too long", root);
         if (add_file(hash, path, err) != 0)
             return -1;
     }
@@ -165,8 +167,7 @@ int stamps_open(const char *root, const struct exercise *exercise, uint32_t seed
     add_text(&hash, exercise->name);
     add(&hash, &seed, sizeof seed);
     if (add_file(&hash, reference, err) != 0 || add_files(&hash, models, err) != 0 ||
-        add_files(&hash, exercise->folder, err) != 0 ||
-        add_runner(&hash, root, exercise->name, err) != 0)
+        add_files(&hash, exercise->folder, err) != 0 || add_runner(&hash, root, exercise, err) != 0)
         return -1;
     finish(&hash, stamps->circumstances);
     return 0;

@@ -34,9 +34,9 @@ static int make_root(void **state)
     put("exercises/models/ball.ply", "a ball");
     put("exercises/edges/made/made.h", "the header");
     put("exercises/edges/made/README.md", "the statement");
-    put("build/runner/made.plain.o", "a runner");
-    put("build/runner/made.sanitized.o", "a runner");
-    put("build/runner/made.checked.o", "a runner");
+    put("build/runner/edges/made.plain.o", "a runner");
+    put("build/runner/edges/made.sanitized.o", "a runner");
+    put("build/runner/edges/made.checked.o", "a runner");
     int length = snprintf(exercise.folder, sizeof exercise.folder, "%s/exercises/edges/made", root);
     return length < (int)sizeof exercise.folder ? 0 : -1;
 }
@@ -87,10 +87,14 @@ static void a_stamp_holds(void **state)
 
 static void each_change_breaks_it(void **state)
 {
-    static const char *const files[] = {
-        "reference/answers/edges/made.c", "exercises/models/ball.ply",  "exercises/models/new.ply",
-        "exercises/edges/made/made.h",    "exercises/edges/made/new.c", "build/runner/made.plain.o",
-        "build/runner/made.sanitized.o",  "build/runner/made.checked.o"};
+    static const char *const files[] = {"reference/answers/edges/made.c",
+                                        "exercises/models/ball.ply",
+                                        "exercises/models/new.ply",
+                                        "exercises/edges/made/made.h",
+                                        "exercises/edges/made/new.c",
+                                        "build/runner/edges/made.plain.o",
+                                        "build/runner/edges/made.sanitized.o",
+                                        "build/runner/edges/made.checked.o"};
     struct error err = {""};
     (void)state;
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
