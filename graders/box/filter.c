@@ -15,11 +15,14 @@
 #include <seccomp.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 /* Stands in the built filter for the program's process id. */
@@ -178,26 +181,8 @@ struct built {
     size_t count;
 };
 
-static int export_filter(scmp_filter_ctx context, struct built *built)
-{
-    struct stat about;
-    int fd = memfd_create("filter", MFD_CLOEXEC), failed = -1;
-    if (fd >= 0 && seccomp_export_bpf(context, fd) == 0 && fstat(fd, &about) == 0) {
-        size_t bytes = (size_t)about.st_size;
-        struct sock_filter *code = malloc(bytes);
-        if (code && pread(fd, code, bytes, 0) == (ssize_t)bytes) {
-            *built = (struct built){code, bytes / sizeof *code};
-            failed = 0;
-        } else {
-            free(code);
-        }
-    }
-    if (fd >= 0)
-        close(fd);
-    return failed;
-}
-
-static int build(enum box_profile profile, bool names, struct built *built, struct error *err)
+/* Writes a filter's code to a file. Returns 0 or libseccomp's (negative) error. */
+static int write_code(enum box_profile profile, bool names, int fd)
 {
     struct rules rules = {.refuse = SCMP_ACT_NOTIFY};
     bool run = profile == BOX_RUN;
@@ -208,7 +193,7 @@ static int build(enum box_profile profile, bool names, struct built *built, stru
         rules.context = seccomp_init(run ? rules.refuse : SCMP_ACT_ERRNO(ENOSYS));
     }
     if (!rules.context)
-        return error_set(err, "box: libseccomp cannot make a filter");
+        return -ENOMEM;
     /* Calls of another architecture (int 0x80, x32): their numbers mean something else. */
     rules.error = seccomp_attr_set(rules.context, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
     seccomp_attr_set(rules.context, SCMP_FLTATR_CTL_OPTIMIZE, 2); /* search by halving */
@@ -216,11 +201,60 @@ static int build(enum box_profile profile, bool names, struct built *built, stru
         add_run(&rules);
     else
         add_tools(&rules, profile);
-    int failed = rules.error || export_filter(rules.context, built) ? -1 : 0;
-    seccomp_release(rules.context);
-    return failed ? error_set(err, "box: cannot make the seccomp filter (libseccomp error %d)",
-                              rules.error)
-                  : 0;
+    return rules.error ? rules.error : seccomp_export_bpf(rules.context, fd);
+}
+
+/* The same, twice, in a process of its own, which its CPU time bounds: where it gets no memory,
+ * libseccomp may turn for ever, or leave a rule out without a word. */
+static int write_code_twice(enum box_profile profile, bool names, int fd, struct error *err)
+{
+    enum { CPU_SECONDS = 10 };
+    int status;
+    pid_t maker = fork();
+    if (maker == 0) {
+        setrlimit(RLIMIT_CPU, &(struct rlimit){CPU_SECONDS, CPU_SECONDS});
+        int error = write_code(profile, names, fd);
+        _exit(-(error ? error : write_code(profile, names, fd)));
+    }
+    if (maker < 0)
+        return error_set(err, "box: cannot start the maker of the seccomp filter: %s",
+                         strerror(errno));
+    while (waitpid(maker, &status, 0) < 0)
+        if (errno != EINTR)
+            return error_set(err, "box: cannot wait for the maker of the seccomp filter: %s",
+                             strerror(errno));
+    if (status == 0)
+        return 0;
+    return error_set(err, "box: cannot make the seccomp filter (%s %d)",
+                     WIFSIGNALED(status) ? "signal" : "libseccomp error",
+                     WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
+}
+
+/* Takes the code that stands twice in a file. */
+static int read_code(int fd, struct built *built, struct error *err)
+{
+    struct stat about;
+    if (fstat(fd, &about) < 0)
+        return error_set(err, "box: cannot look at the seccomp filter: %s", strerror(errno));
+    size_t bytes = (size_t)about.st_size / 2;
+    char *code = malloc(2 * bytes);
+    if (!code || pread(fd, code, 2 * bytes, 0) != (ssize_t)(2 * bytes) ||
+        memcmp(code, code + bytes, bytes) != 0) {
+        free(code);
+        return error_set(err, "box: no memory for the seccomp filter");
+    }
+    *built = (struct built){(struct sock_filter *)code, bytes / sizeof(struct sock_filter)};
+    return 0;
+}
+
+static int build(enum box_profile profile, bool names, struct built *built, struct error *err)
+{
+    int fd = memfd_create("filter", MFD_CLOEXEC);
+    if (fd < 0)
+        return error_set(err, "box: cannot make room for the seccomp filter: %s", strerror(errno));
+    int failed = write_code_twice(profile, names, fd, err) || read_code(fd, built, err);
+    close(fd);
+    return failed ? -1 : 0;
 }
 
 /* Building takes up to 4 ms, twice what all the rest of a box does, so each kind is built once. The
