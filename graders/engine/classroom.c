@@ -67,8 +67,9 @@ _Noreturn static void work(struct yardstick *yardstick, const struct upload *upl
         grade_submission(yardstick, upload, &everything, &outcome, &err) == 0
             ? json_pack("{s:o, s:o}", "result", outcome.result, "scenes", outcome.scenes)
             : json_pack("{s:s}", "fault", err.text);
-    bool written = message && json_dumpfd(message, file, JSON_COMPACT) == 0;
-    _exit(written ? 0 : 1);
+    FILE *stream = fdopen(file, "w"); /* jansson writes and reads descriptors a byte at a time */
+    bool written = message && stream && json_dumpf(message, stream, JSON_COMPACT) == 0;
+    _exit(written && fclose(stream) == 0 ? 0 : 1);
 }
 
 static int start_job(struct job *job, struct yardstick *yardstick, const struct upload *upload,
@@ -93,8 +94,12 @@ static void finish_job(struct job *job, struct outcome *outcome, struct error *f
     int status;
     while (waitpid(job->pid, &status, 0) < 0 && errno == EINTR)
         continue;
-    lseek(job->file, 0, SEEK_SET);
-    json_t *message = json_loadfd(job->file, 0, NULL);
+    FILE *stream = fdopen(job->file, "r");
+    json_t *message = NULL;
+    if (stream) {
+        rewind(stream);
+        message = json_loadf(stream, 0, NULL);
+    }
     *outcome = (struct outcome){json_incref(json_object_get(message, "result")),
                                 json_incref(json_object_get(message, "scenes"))};
     const char *text = json_string_value(json_object_get(message, "fault"));
@@ -106,7 +111,10 @@ static void finish_job(struct job *job, struct outcome *outcome, struct error *f
     json_decref(message);
     if (job->pidfd >= 0)
         close(job->pidfd);
-    close(job->file);
+    if (stream)
+        fclose(stream);
+    else
+        close(job->file);
     job->pid = 0;
 }
 
