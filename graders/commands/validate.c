@@ -22,7 +22,7 @@ enum { RIGHT_LEAST = 3 };
 /* What is asked for, and what came of it. */
 struct plan {
     const char *only, *folder;
-    bool again, verbose;
+    bool again, brief, verbose;
     uint32_t seed;
     long jobs;
     char machine[STAMP_KEY]; /* empty: nothing is remembered */
@@ -120,6 +120,7 @@ static int expand(const struct exercise *exercise, const char *folder, struct er
 /* What became of a submission. */
 struct finding {
     bool is_met, is_as_before;
+    bool is_brief;           /* only its cases were run */
     char failed[STAMP_TEXT]; /* classes, when it is met */
 };
 
@@ -161,7 +162,7 @@ static int put_stamps(const struct plan *plan, const struct subject *subject, st
         return 0;
     for (int i = 0; i < subject->known.count; i++) {
         const struct finding *finding = &subject->findings[i];
-        if (finding->is_met && !finding->is_as_before &&
+        if (finding->is_met && !finding->is_as_before && !finding->is_brief &&
             stamps_put(&now, &subject->known.submissions[i], finding->failed, err) != 0)
             return -1;
     }
@@ -179,7 +180,8 @@ static int compare(struct plan *plan, struct subject *subject, struct store *sto
     if (store_find(store, upload->student_folder, exercise, NULL, &result, err) != 0)
         return -1;
     finding->is_met = result && expectation_is_met(expected, result, why, sizeof why);
-    *is_whole &= json_array_size(json_object_get(result, "not_measured")) == 0;
+    if (!finding->is_brief)
+        *is_whole &= json_array_size(json_object_get(result, "not_measured")) == 0;
     expectation_failed_classes(result, finding->failed, sizeof finding->failed);
     if (!finding->is_met && subject->remembers) /* with --again it may have one */
         stamps_remove(&subject->stamps, &subject->known.submissions[index]);
@@ -192,16 +194,22 @@ static int compare(struct plan *plan, struct subject *subject, struct store *sto
     return 0;
 }
 
-static int make_uploads(const struct subject *subject, struct upload_list *list, struct error *err)
+/* Makes the uploads of what no stamp says, and says of each whether it is brief. */
+static int make_uploads(const struct subject *subject, struct upload_list *list, bool **brief,
+                        struct error *err)
 {
     list->uploads = calloc((size_t)subject->known.count + 1, sizeof *list->uploads);
-    if (!list->uploads)
+    *brief = calloc((size_t)subject->known.count + 1, sizeof **brief);
+    if (!list->uploads || !*brief)
         return error_set(err, "out of memory");
-    for (int i = 0; i < subject->known.count; i++)
-        if (!subject->findings[i].is_as_before &&
-            make_upload(&subject->known.submissions[i], subject->exercise->name,
+    for (int i = 0; i < subject->known.count; i++) {
+        if (subject->findings[i].is_as_before)
+            continue;
+        (*brief)[list->count] = subject->findings[i].is_brief;
+        if (make_upload(&subject->known.submissions[i], subject->exercise->name,
                         &list->uploads[list->count++], err) != 0)
             return -1;
+    }
     return 0;
 }
 
@@ -211,8 +219,8 @@ static int grade(struct plan *plan, struct subject *subject, struct error *err)
     struct upload_list list = {0};
     struct store store = {NULL};
     char folder[PATH_MAX] = "";
-    bool is_whole = true;
-    int result = make_uploads(subject, &list, err);
+    bool is_whole = true, *brief = NULL;
+    int result = make_uploads(subject, &list, &brief, err);
     if (result == 0)
         result = folder_make_work(folder, err);
     if (result == 0)
@@ -222,7 +230,8 @@ static int grade(struct plan *plan, struct subject *subject, struct error *err)
                                   .uploads = &list,
                                   .store = &store,
                                   .seed = plan->seed,
-                                  .job_count = (int)plan->jobs};
+                                  .job_count = (int)plan->jobs,
+                                  .only_cases = brief};
     if (result == 0)
         result = classroom_grade(&classroom, err);
     for (int i = 0, next = 0; i < subject->known.count && result == 0; i++)
@@ -231,6 +240,7 @@ static int grade(struct plan *plan, struct subject *subject, struct error *err)
     store_close(&store);
     folder_remove_work(folder);
     upload_list_release(&list);
+    free(brief);
     return result == 0 && is_whole ? put_stamps(plan, subject, err) : result;
 }
 
@@ -302,8 +312,11 @@ static int validate(struct plan *plan, const struct exercise *exercise, struct e
     }
     if (result == 0)
         open_stamps(plan, &subject);
-    for (int i = 0; i < subject.known.count && result == 0; i++)
+    for (int i = 0; i < subject.known.count && result == 0; i++) {
+        subject.findings[i].is_brief =
+            plan->brief && expectation_needs_only_cases(&subject.known.submissions[i].expected);
         to_do += !subject.findings[i].is_as_before;
+    }
     if (result == 0 && to_do > 0)
         result = grade(plan, &subject, err);
     for (int i = 0; i < subject.known.count && result == 0; i++) {
@@ -356,6 +369,8 @@ static int run(int argc, char **argv)
         {"only", 0, "FILE,...", "just these of the exercise: wrong/a,right/b", &plan.only, NULL},
         {"again", 0, NULL, "also what got its verdict before and did not change", NULL,
          &plan.again},
+        {"brief", 0, NULL, "of wrong answers only the cases: no sanitizer, no count, no stamp",
+         NULL, &plan.brief},
         {"jobs", 'j', "N", "submissions at a time (default: one a core)", &jobs_text, NULL},
         {"seed", 0, "N", "as a class of this seed is graded (default: the published seeds)",
          &seed_text, NULL},

@@ -57,14 +57,14 @@ struct job {
 };
 
 /* The child hands back {"result": ..., "scenes": ...} or {"fault": text}. */
-_Noreturn static void work(struct yardstick *yardstick, const struct upload *upload, int file)
+_Noreturn static void work(struct yardstick *yardstick, const struct upload *upload,
+                           const struct trial_scope *scope, int file)
 {
-    static const struct trial_scope everything = {0};
     struct outcome outcome;
     struct error err = {""};
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     json_t *message =
-        grade_submission(yardstick, upload, &everything, &outcome, &err) == 0
+        grade_submission(yardstick, upload, scope, &outcome, &err) == 0
             ? json_pack("{s:o, s:o}", "result", outcome.result, "scenes", outcome.scenes)
             : json_pack("{s:s}", "fault", err.text);
     FILE *stream = fdopen(file, "w"); /* jansson writes and reads descriptors a byte at a time */
@@ -72,14 +72,17 @@ _Noreturn static void work(struct yardstick *yardstick, const struct upload *upl
     _exit(written && fclose(stream) == 0 ? 0 : 1);
 }
 
-static int start_job(struct job *job, struct yardstick *yardstick, const struct upload *upload,
-                     struct error *err)
+static int start_job(const struct classroom *classroom, struct job *job,
+                     struct yardstick *yardstick, struct error *err)
 {
+    const struct upload *upload = &classroom->uploads->uploads[job->upload];
+    const struct trial_scope scope = {.only_cases = classroom->only_cases &&
+                                                    classroom->only_cases[job->upload]};
     job->file = memfd_create("outcome", MFD_CLOEXEC);
     fflush(NULL);
     job->pid = job->file >= 0 ? fork() : -1;
     if (job->pid == 0)
-        work(yardstick, upload, job->file);
+        work(yardstick, upload, &scope, job->file);
     if (job->pid < 0) {
         job->pid = 0;
         return error_set(err, "cannot start a worker: %s", strerror(errno));
@@ -303,7 +306,7 @@ static int start_next(struct classroom *classroom, struct plan *plan, struct job
     *job = (struct job){.lesson = plan->open, .upload = lesson->uploads[lesson->next++]};
     lesson->running++;
     plan->running++;
-    return start_job(job, &lesson->yardstick, &classroom->uploads->uploads[job->upload], err);
+    return start_job(classroom, job, &lesson->yardstick, err);
 }
 
 /* Goes on to the next lesson with something to do; false when there is none. */
@@ -337,7 +340,7 @@ static int settle(struct classroom *classroom, struct plan *plan, struct job *jo
     finish_job(job, &outcome, &fault);
     bool again = !outcome.result && ++job->try < TRIES;
     if (again)
-        result = start_job(job, &lesson->yardstick, upload, err);
+        result = start_job(classroom, job, &lesson->yardstick, err);
     else if (outcome.result)
         result = keep_outcome(classroom, upload, &outcome, err);
     else

@@ -142,6 +142,14 @@ bool expectation_is_met(const struct expectation *expected, const json_t *result
     return strcmp(verdict, verdict_name(VERDICT_PASSED)) != 0 || has_margin(result, why, capacity);
 }
 
+bool expectation_needs_only_cases(const struct expectation *expected)
+{
+    for (enum check_kind check = 0; check < CHECK_COUNT; check++)
+        if (is_expected(expected, check_name(check)))
+            return false;
+    return strcmp(expected->verdict, verdict_name(VERDICT_WRONG_ANSWER)) == 0;
+}
+
 /* Bands lie on the same inputs: what is too poor for one is so for every stricter one. */
 static bool is_stricter(const struct quality_rule *rule, const char *class_name, const char *than)
 {

@@ -34,6 +34,9 @@ int expectation_read(const char *kind, const char *name, const char *text,
 bool expectation_is_met(const struct expectation *expected, const json_t *result, char *why,
                         size_t capacity);
 
+/* Whether cases alone decide it: a wrong answer that fails no check. */
+bool expectation_needs_only_cases(const struct expectation *expected);
+
 /* Whether of a list of failed classes ("open,closed") just this one failed, and bands of quality
  * that are stricter than its own. */
 bool expectation_fails_just(const char *failed, const char *class_name,

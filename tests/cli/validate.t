@@ -3,18 +3,26 @@
 # and it turns red when a judge is broken on purpose.
 . "$(dirname "$0")/tap.sh"
 
-# One exercise on each core, those with most submissions first.
+# One exercise on each core, those with most submissions first. Of wrong answers only what decides their verdict is
+# run; `make validate` runs the rest, too.
 list=$(for folder in tests/submissions/*/*/; do echo "$(find "$folder" -type f | wc -l) $(basename "$folder")"; done | sort -rn | cut -d' ' -f2)
 export meshgrade scratch
-echo "$list" | xargs -P "$(nproc)" -I{} sh -c '"$meshgrade" validate {} -j 1 >"$scratch/{}" 2>&1; echo $? >"$scratch/{}.code"'
+echo "$list" | xargs -P "$(nproc)" -I{} sh -c '"$meshgrade" validate {} --brief -j 1 >"$scratch/{}" 2>&1; echo $? >"$scratch/{}.code"'
 ok "every exercise has known-verdict submissions" [ "$("$meshgrade" list | awk '{print $1}' | sort)" = "$(echo "$list" | sort)" ]
 for exercise in $list; do
     ok "$exercise: $(tail -n 1 "$scratch/$exercise")" [ "$(cat "$scratch/$exercise.code")" -eq 0 ]
     [ "$(cat "$scratch/$exercise.code")" -eq 0 ] || sed 's/^/# /' "$scratch/$exercise"
 done
 
-# What did not change is not graded again; what is asked for by name is, and what is unknown refused.
+# What was graded in brief is not remembered; what was graded whole and did not change is not graded again, what is
+# asked for by name is, and what is unknown refused.
 one=wrong/exchanged
+rm -rf build/validated/euler-closed-mesh
+"$meshgrade" validate euler-closed-mesh --brief --only "$one,right/by-faces" >"$scratch/brief" 2>&1
+ok "--brief grades" [ "$(cat "$scratch/brief")" = '2 submissions as expected, 0 not' ]
+"$meshgrade" validate euler-closed-mesh --only "$one,right/by-faces" >"$scratch/whole" 2>&1
+ok "a wrong answer graded in brief is not remembered, a right one is" \
+    [ "$(head -n 1 "$scratch/whole")" = '1 of 2 as before; --again grades all' ]
 "$meshgrade" validate euler-closed-mesh --only "$one" >"$scratch/before" 2>&1
 ok "what did not change is as before" matches "$scratch/before" '^1 of 1 as before; --again grades all$'
 "$meshgrade" validate euler-closed-mesh --only "$one,right/by-faces.c" --again -v >"$scratch/again" 2>&1

@@ -134,7 +134,7 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
     if (!trial->cases)
         return error_set(err, "out of memory");
     int64_t since_ns = spent_ns();
-    bool only_cases = scope->quick || scope->only_case;
+    bool only_cases = scope->only_cases || scope->quick || scope->only_case;
     if (build_submission(yardstick->exercise, sources, source_count,
                          only_cases ? BUILD_PLAIN : BUILD_ALL, &trial->build, err) != 0)
         return -1;

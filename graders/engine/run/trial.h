@@ -38,6 +38,7 @@ enum trial_stage {
 struct trial_scope {
     bool public_only;      /* only cases that students see */
     bool quick;            /* only quick cases; no check but leak */
+    bool only_cases;       /* no check but leak */
     const char *only_case; /* NULL: all */
     int64_t *stage_cpu_ns; /* [STAGE_COUNT], gets the CPU time of each step; NULL: not wanted */
 };
