@@ -205,8 +205,8 @@ static int try_subject(const struct subject *subject, const struct exercise *exe
     struct yardstick yardstick;
     int result = yardstick_make(&yardstick, exercise, SEED_PUBLISHED, false, err);
     if (result == 0 && !yardstick.probes.valgrind)
-        result =
-            error_set(err, "nothing can be counted here: %s", yardstick.probes.valgrind_reason);
+        result = error_set(err, "nothing can be counted here: %s",
+                           phrase_text(yardstick.probes.no_valgrind, LANGUAGE_EN));
     for (int base = 0; result == 0 && base < subject->base_count; base++)
         for (int e = 0; result == 0 && e < EXTRA_COUNT && (only < 0 || base == only); e++)
             result = try_solution(&yardstick, &subject->bases[base], base, &extras[e], random,

@@ -425,6 +425,12 @@ static void faults_have_words(void **state)
     fault = compare(&truth, &answer);
     assert_ptr_equal(structure_fault_cause(&fault), &structure_out_of_range);
     structure_fault_release(&fault);
+    s.winged[3][WINGED_AIS] = -1;
+    fault = compare(&truth, &answer);
+    structure_fault_say(&fault, &message);
+    assert_string_equal(message.en, "ais of edge 3 (3,0) is NONE; right is 7");
+    assert_string_equal(message.es, "ais de la arista 3 (3,0) es NONE; lo correcto es 7");
+    structure_fault_release(&fault);
     prism(&s);
     s.vertex_edge[1] = 8;
     fault = compare(&truth, &answer);
@@ -578,7 +584,7 @@ static void other_faces_are_our_error(void **state)
     struct structure_fault fault = compare(&truth, &answer);
     struct message message;
     structure_fault_say(&fault, &message);
-    assert_string_equal(message.en, "vertex_half_edge[1] is 0; right is -1");
+    assert_string_equal(message.en, "vertex_half_edge[1] is 0; right is NONE");
     structure_fault_release(&fault);
     structure_truth_release(&truth);
 }

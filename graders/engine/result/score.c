@@ -89,6 +89,11 @@ static json_t *submission_json(const struct trial *trial)
     return json_pack("{s:o}", "files", files);
 }
 
+static json_t *reason_json(const struct box_reason *reason)
+{
+    return phrase_json((struct phrase){reason->en, reason->es});
+}
+
 static json_t *protections_json(const struct trial *trial)
 {
     json_t *active = json_array(), *inactive = json_object();
@@ -97,18 +102,20 @@ static json_t *protections_json(const struct trial *trial)
         if (trial->active_layers >> layer & 1)
             json_array_append_new(active, json_string(name));
         else
-            json_object_set_new(inactive, name, json_string(trial->layer_reason[layer]));
+            json_object_set_new(inactive, name, reason_json(&trial->layer_reasons[layer]));
     }
     return json_pack("{s:o, s:o}", "active", active, "inactive", inactive);
 }
 
 static json_t *not_measured_json(const struct trial *trial)
 {
+    static const struct phrase by_valgrind = {"counted work and memcheck",
+                                              "trabajo contado y memcheck"};
     json_t *list = json_array();
     const struct probes *probes = &trial->yardstick->probes;
     if (!probes->valgrind)
-        json_array_append_new(list, json_pack("{s:s, s:s}", "name", "counted work and memcheck",
-                                              "reason", probes->valgrind_reason));
+        json_array_append_new(list, json_pack("{s:o, s:o}", "name", phrase_json(by_valgrind),
+                                              "reason", phrase_json(probes->no_valgrind)));
     return list;
 }
 

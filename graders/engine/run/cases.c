@@ -70,7 +70,7 @@ static int run_case(struct trial *trial, size_t index, bool patient, struct atte
 static void remember_surroundings(struct trial *trial, const struct attempt *attempt)
 {
     trial->active_layers = attempt->outcome.active;
-    memcpy(trial->layer_reason, attempt->outcome.reason, sizeof trial->layer_reason);
+    memcpy(trial->layer_reasons, attempt->outcome.reason, sizeof trial->layer_reasons);
     if (!trial->output[0])
         snprintf(trial->output, sizeof trial->output, "%s", attempt->output);
 }

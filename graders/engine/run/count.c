@@ -26,11 +26,12 @@ static const double LEAP_RISE = 2.5;      /* sorting has 2.2; more may be n^2, d
 static const struct call_limits native_limits = {10000000000LL, 2000000000LL};
 static const struct call_limits counted_limits = {120000000000LL, 10000000000LL};
 
-bool count_available(char *reason, size_t capacity)
+bool count_available(struct phrase *why_not)
 {
+    static const struct phrase absent = {"valgrind is not installed (apt-get install valgrind)",
+                                         "valgrind no está instalado (apt-get install valgrind)"};
     bool found = access("/usr/bin/valgrind", X_OK) == 0;
-    snprintf(reason, capacity, "%s",
-             found ? "" : "valgrind is not installed (apt-get install valgrind)");
+    *why_not = found ? (struct phrase){NULL, NULL} : absent;
     return found;
 }
 

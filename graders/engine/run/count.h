@@ -41,7 +41,7 @@ int count_work(struct yardstick *yardstick, const struct build *build,
                const struct count_plan *plan, struct cost *const costs[FAMILIES_MAX],
                struct count_run *run, struct error *err) MUST_CHECK;
 
-/* Whether valgrind can be used here. Returns true, or false and says why. */
-bool count_available(char *reason, size_t capacity);
+/* Whether valgrind can be used here. Returns true, or false and why not. */
+bool count_available(struct phrase *why_not);
 
 #endif

@@ -340,10 +340,14 @@ static int check_counts(struct trial *trial, struct error *err)
 
 static void say_not_measured(struct trial *trial)
 {
-    for (int i = 0; i < 2; i++)
-        check_say(&trial->checks[sized_checks[i]], VERDICT_NOT_MEASURED, &no_valgrind,
-                  "Not measured here: %s.", "No se midió aquí: %s.",
-                  trial->yardstick->probes.valgrind_reason);
+    struct phrase why = trial->yardstick->probes.no_valgrind;
+    for (int i = 0; i < 2; i++) {
+        struct check_result *check = &trial->checks[sized_checks[i]];
+        check_say(check, VERDICT_NOT_MEASURED, &no_valgrind,
+                  "Not measured here: ", "No se midió aquí: ");
+        message_add_phrase(&check->message, why);
+        message_add(&check->message, ".", ".");
+    }
 }
 
 int trial_check_growth(struct trial *trial, struct error *err)

@@ -56,7 +56,7 @@ struct trial {
     double memory_ratio;
     int memory_family;
     uint32_t active_layers; /* of the box in which the cases ran */
-    char layer_reason[BOX_LAYER_COUNT][80];
+    struct box_reason layer_reasons[BOX_LAYER_COUNT];
     char output[ATTEMPT_OUTPUT];
 };
 

@@ -259,8 +259,7 @@ int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise,
         allocate(yardstick, err) != 0 || build_reference(yardstick, err) != 0)
         return -1;
     snprintf(yardstick->models, sizeof yardstick->models, "%s/exercises/models", root);
-    yardstick->probes.valgrind = count_available(yardstick->probes.valgrind_reason,
-                                                 sizeof yardstick->probes.valgrind_reason);
+    yardstick->probes.valgrind = count_available(&yardstick->probes.no_valgrind);
     choose_sizes(yardstick);
     return quick ? 0 : measure_reference(yardstick, err);
 }

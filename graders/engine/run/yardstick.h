@@ -34,7 +34,7 @@ enum { SIZES_MAX = 16 };
 /* Which probes this machine has. A probe that lacks is reported, and no mark rests on it. */
 struct probes {
     bool valgrind;
-    char valgrind_reason[160]; /* why not */
+    struct phrase no_valgrind; /* why not */
 };
 
 /* The seeds of a class. A number of 1 or more gives the cases that are not public, and the meshes
