@@ -23,4 +23,11 @@ int error_set_request(struct error *err, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 bool error_is_request(const struct error *err);
 
+/* clang's analyzer, which takes one file at a time, does not know that these always return -1: it
+ * would follow ways on which nothing failed after all. */
+#ifdef __clang_analyzer__
+#define error_set(...) (error_set(__VA_ARGS__), -1)
+#define error_set_request(...) (error_set_request(__VA_ARGS__), -1)
+#endif
+
 #endif
