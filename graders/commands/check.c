@@ -3,6 +3,7 @@
 #include "graders/commands/options.h"
 #include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
+#include "graders/engine/run/cases.h"
 #include "graders/judges/table.h"
 #include "reference/base/plural.h"
 
@@ -73,8 +74,8 @@ static int make_cases(struct yardstick *yardstick, const struct trial_scope *sco
                       struct error *err)
 {
     const struct input *input;
-    for (size_t i = 0; i < yardstick->judge->case_count; i++)
-        if (trial_case_in_scope(&yardstick->judge->cases[i], scope) &&
+    for (size_t i = 0; i < yardstick->inputs.judge->case_count; i++)
+        if (cases_in_scope(&yardstick->inputs.judge->cases[i], scope) &&
             yardstick_case(yardstick, i, &input, err) != 0)
             return -1;
     return 0;
