@@ -19,7 +19,7 @@ struct reading {
 static int run_reading(void *context, struct error *err)
 {
     struct reading *reading = context;
-    return read_mesh(reading->path, &reading->mesh, err);
+    return mesh_file_read(reading->path, &reading->mesh, err);
 }
 
 static void reset_reading(void *context)

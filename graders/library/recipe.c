@@ -58,7 +58,7 @@ static int read_model(const char *models, const char *name, struct mesh *mesh, s
     int length = snprintf(path, sizeof path, "%s/%s", models, name);
     if (length < 0 || length >= (int)sizeof path)
         return error_set(err, "the path of the models is too long: %s", models);
-    return read_mesh(path, mesh, err);
+    return mesh_file_read(path, mesh, err);
 }
 
 /* A ring of quads between two circles, cut into triangles. */
