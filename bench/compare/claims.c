@@ -60,7 +60,7 @@ static int add_ratios(struct claims *claims, const char *name, const struct mesh
                       struct error *err)
 {
     struct topology topology;
-    if (topology_of(mesh, &topology, err))
+    if (mesh_topology(mesh, &topology, err))
         return -1;
     double vertices = (double)(topology.vertex_count - topology.isolated.count);
     double edges = (double)topology.edge_count, faces = (double)topology.triangle_count;

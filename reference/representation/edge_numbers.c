@@ -82,7 +82,7 @@ int64_t number_edges(const int32_t *starts, const int32_t *ends, int64_t side_co
 int64_t number_mesh_edges(const struct mesh *mesh, int32_t **edge_of_side, struct error *err)
 {
     *edge_of_side = NULL;
-    struct finding degenerate = degenerate_triangles(mesh);
+    struct finding degenerate = mesh_degenerate_triangles(mesh);
     if (degenerate.count > 0) {
         const int32_t *corner = mesh->triangles + 3 * degenerate.first;
         return error_set(err, "triangle %lld has corners %d %d %d: two are the same vertex",

@@ -109,7 +109,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t byte_count)
 {
     struct mesh mesh = mesh_file_read(bytes, byte_count);
     struct topology topology;
-    require(topology_of(&mesh, &topology, NULL) == 0, "memory");
+    require(mesh_topology(&mesh, &topology, NULL) == 0, "memory");
     unsigned features = mesh_features(&topology);
     for (int i = 0; representation_table[i]; i++)
         try_kind(representation_table[i], &mesh, !(features & ~representation_table[i]->holds));

@@ -35,7 +35,7 @@ static void assert_as_described(const struct row *row)
     snprintf(path, sizeof path, "exercises/models/%s", row->name);
     if (mesh_file_read(path, &mesh, &err))
         fail_msg("%s", err.text);
-    assert_int_equal(topology_of(&mesh, &found, NULL), 0);
+    assert_int_equal(mesh_topology(&mesh, &found, NULL), 0);
     assert_int_equal(found.vertex_count, row->vertices);
     assert_int_equal(found.edge_count, row->edges);
     assert_int_equal(found.triangle_count, row->triangles);
