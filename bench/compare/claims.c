@@ -186,7 +186,7 @@ static int add_search(struct claims *claims, const char *name, const struct mesh
         int32_t v = (int32_t)random_below(&rng, (uint64_t)mesh->vertex_count);
         if (u == v)
             continue;
-        (void)search_edge(&counting, mesh, NULL, u, v);
+        (void)faces_search_edge(&counting, mesh, NULL, u, v);
         asked++;
     }
     return add_about(claims,
