@@ -50,7 +50,8 @@ struct kernel {
 
     /* Of threads variants only, else NULL: the same on 1 ... KERNEL_MOST_THREADS threads. run takes
      * as many of kernel_thread_count() as the size of the mesh is worth. */
-    int64_t (*threads_run)(const struct mesh *mesh, void *scratch, void *output, int thread_count);
+    int64_t (*run_on_threads)(const struct mesh *mesh, void *scratch, void *output,
+                              int thread_count);
 };
 
 /* All kernels, the variants of one kernel together and plain first; ends with a NULL name. */

@@ -13,7 +13,7 @@ void with_every_mesh(void (*check)(const struct mesh *mesh));
  * test when a byte before or after them changed. The caller frees the output (free_guarded). */
 void *run_guarded(const struct kernel *kernel, const struct mesh *mesh, int64_t *record_count);
 
-/* The same on a number of threads; for a kernel that has threads_run. */
+/* The same on a number of threads; for a kernel that has run_on_threads. */
 void *run_guarded_on_threads(const struct kernel *kernel, const struct mesh *mesh, int thread_count,
                              int64_t *record_count);
 void free_guarded(void *output);
