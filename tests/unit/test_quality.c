@@ -188,7 +188,7 @@ static struct exercise exercise_of_classes(void)
 static json_t *grade(const struct judge *judge, const double values[CASES])
 {
     struct exercise exercise = exercise_of_classes();
-    struct yardstick yardstick = {.exercise = &exercise, .judge = judge};
+    struct yardstick yardstick = {.inputs = {.exercise = &exercise, .judge = judge}};
     struct case_result results[CASES] = {{.run = false}};
     struct trial trial = {.yardstick = &yardstick, .student = "ana", .cases = results};
     struct submitter submitter = {"ana", "ana-garcia"};
