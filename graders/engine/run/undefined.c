@@ -230,6 +230,16 @@ static void report_exhaustion(struct trial *trial, const char *name, const char 
                   name, tool);
 }
 
+static void say_difference(struct check_result *check, const char *name, const char *tool,
+                           struct phrase end)
+{
+    check_say(check, VERDICT_FLAGGED, &behaves_differently,
+              "Case %s passes on its own but ends differently under %s (",
+              "El caso %s es correcto, pero con %s acaba de otro modo (", name, tool);
+    message_add_phrase(&check->message, end);
+    message_add(&check->message, "): a person must look at it.", "): debe mirarlo una persona.");
+}
+
 /* Any other difference is for a person to look at, unless a case tells the mistake already. */
 static void report_difference(struct trial *trial, const struct look *look, const char *tool,
                               const struct attempt *attempt)
@@ -244,12 +254,7 @@ static void report_difference(struct trial *trial, const struct look *look, cons
                   "El caso %s es correcto, pero con %s falla: corrige antes los casos rechazados.",
                   name, tool);
     else
-        check_say(check, VERDICT_FLAGGED, &behaves_differently,
-                  "Case %s passes on its own but ends differently under %s (%s): a person must "
-                  "look at it.",
-                  "El caso %s es correcto, pero con %s acaba de otro modo (%s): debe mirarlo una "
-                  "persona.",
-                  name, tool, verdict_name(attempt->verdict));
+        say_difference(check, name, tool, verdict_words(attempt->verdict));
 }
 
 static int look_with(struct trial *trial, enum series_tool tool, size_t input_limit,
