@@ -12,7 +12,7 @@ build/lint/%.ok: % .clang-tidy
 	$(call SHOW,LINT $<)clang-tidy --quiet $< -- $(CFLAGS) 2>$@.log || { cat $@.log; exit 1; }
 	@cppcheck --quiet --error-exitcode=1 --enable=warning,portability --inline-suppr -I. \
 	  --suppress=internalAstError $<
-	@$(CC) $(CFLAGS) -Werror -fanalyzer -Wno-analyzer-malloc-leak -MMD -MP -MF build/lint/$*.d -MT $@ \
+	@$(CC) $(CFLAGS) -Werror -DANALYZER -fanalyzer -Wno-analyzer-malloc-leak -MMD -MP -MF build/lint/$*.d -MT $@ \
 	  -c $< -o /dev/null
 	@touch $@
 lint: all $(LINT_STAMPS) ## structure, clang-format, clang-tidy, cppcheck, gcc -fanalyzer

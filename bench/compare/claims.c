@@ -60,7 +60,7 @@ static int add_ratios(struct claims *claims, const char *name, const struct mesh
                       struct error *err)
 {
     struct topology topology;
-    if (topology_of(mesh, &topology, err))
+    if (mesh_topology(mesh, &topology, err))
         return -1;
     double vertices = (double)(topology.vertex_count - topology.isolated.count);
     double edges = (double)topology.edge_count, faces = (double)topology.triangle_count;
@@ -186,7 +186,7 @@ static int add_search(struct claims *claims, const char *name, const struct mesh
         int32_t v = (int32_t)random_below(&rng, (uint64_t)mesh->vertex_count);
         if (u == v)
             continue;
-        (void)search_edge(&counting, mesh, NULL, u, v);
+        (void)faces_search_edge(&counting, mesh, NULL, u, v);
         asked++;
     }
     return add_about(claims,

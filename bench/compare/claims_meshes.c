@@ -17,7 +17,7 @@ static int about_model(struct claims *claims, const char *models, const char *na
     int length = snprintf(path, sizeof path, "%s/%s.ply", models, name);
     if (length >= (int)sizeof path)
         return error_set(err, "the name of the folder of models is too long");
-    if (read_mesh(path, &mesh, err))
+    if (mesh_file_read(path, &mesh, err))
         return -1;
     int result = claims_about_mesh(claims, name, &mesh, err);
     if (result == 0 && is_coherent) {

@@ -194,10 +194,11 @@ static const char *verdict_of(json_t *const *parts, size_t count)
 
 static json_t *goal_row(const json_t *rows, const json_t *ours, const struct goal *goal)
 {
-    json_t *parts[] = {judge_time(rows, ours, goal, "ratio", goal->warm),
-                       judge_time(rows, ours, goal, "cold_ratio", goal->cold),
-                       judge_plain(ours, goal->plain), judge_indices(rows, ours, goal)};
-    const char *verdict = verdict_of(parts, sizeof parts / sizeof *parts);
+    enum { PARTS = 4 };
+    json_t *parts[PARTS] = {judge_time(rows, ours, goal, "ratio", goal->warm),
+                            judge_time(rows, ours, goal, "cold_ratio", goal->cold),
+                            judge_plain(ours, goal->plain), judge_indices(rows, ours, goal)};
+    const char *verdict = verdict_of(parts, PARTS);
     return json_pack("{s:O, s:O, s:O, s:O, s:O, s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "what",
                      json_object_get(ours, "what"), "operation", json_object_get(ours, "operation"),
                      "mesh", json_object_get(ours, "mesh"), "order", json_object_get(ours, "order"),

@@ -107,7 +107,7 @@ static int make_model(struct mesh *mesh, const char *models, const char *name, i
 {
     char path[PATH_MAX];
     snprintf(path, sizeof path, "%s/%s.ply", models, name);
-    if (read_mesh(path, mesh, err) != 0)
+    if (mesh_file_read(path, mesh, err) != 0)
         return -1;
     if (subdivide_to(mesh, triangles, err) == 0)
         return 0;

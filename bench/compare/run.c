@@ -122,7 +122,7 @@ static int do_block(const struct run_wish *wish, const struct job *job, int numb
     const char *argv[BLOCK_PROGRAMS_MAX][6];
     const char *const *programs[BLOCK_PROGRAMS_MAX];
     static struct block_result results[BLOCK_PROGRAMS_MAX]; /* too large for the stack */
-    int64_t start = wall_ns();
+    int64_t start = clock_wall_ns();
     run_mesh_path(wish->folder, &job->mesh, mesh_path, sizeof mesh_path);
     if (need_mesh(wish, job, mesh_path, err) != 0)
         return -1;
@@ -138,7 +138,8 @@ static int do_block(const struct run_wish *wish, const struct job *job, int numb
     if (block_run(&plan, watch, results, err) != 0)
         return -1;
     return journal_add(
-        journal, block_to_json(job, number, results, mesh_path, (double)(wall_ns() - start) * 1e-9),
+        journal,
+        block_to_json(job, number, results, mesh_path, (double)(clock_wall_ns() - start) * 1e-9),
         err);
 }
 
@@ -185,7 +186,7 @@ static void tell(const struct run_wish *wish, const struct journal *journal, con
 
 static bool is_over(const struct run_wish *wish, int64_t start, double expected)
 {
-    double elapsed = (double)(wall_ns() - start) * 1e-9;
+    double elapsed = (double)(clock_wall_ns() - start) * 1e-9;
     return (wish->stop && *wish->stop) || elapsed + expected > wish->seconds;
 }
 
@@ -216,7 +217,7 @@ static int go_blocks(struct going *going, const struct job *job, int first, int 
 int run_plan(const struct run_wish *wish, struct journal *journal, struct error *err)
 {
     char meshes[PATH_MAX];
-    struct going going = {.wish = wish, .journal = journal, .start = wall_ns()};
+    struct going going = {.wish = wish, .journal = journal, .start = clock_wall_ns()};
     const struct plan *plan = wish->plan;
     int most_blocks = 0;
     snprintf(meshes, sizeof meshes, "%s/meshes", wish->folder);

@@ -7,12 +7,13 @@
 #include "bench/measure/worker.h"
 
 /* Each opens a subject on a snapshot and serves; `name` is what stands behind the slash. */
-int serve_representation(const char *name, const struct snapshot *snapshot, FILE *in, FILE *out,
+int subject_serve_representation(const char *name, const struct snapshot *snapshot, FILE *in,
+                                 FILE *out, struct error *err) MUST_CHECK;
+int subject_serve_kernels(const char *variant, const struct snapshot *snapshot, FILE *in, FILE *out,
+                          struct error *err) MUST_CHECK;
+int subject_serve_paper(const char *name, const struct snapshot *snapshot, FILE *in, FILE *out,
+                        struct error *err) MUST_CHECK;
+int subject_serve_reader(const char *snapshot_path, FILE *in, FILE *out,
                          struct error *err) MUST_CHECK;
-int serve_kernels(const char *variant, const struct snapshot *snapshot, FILE *in, FILE *out,
-                  struct error *err) MUST_CHECK;
-int serve_paper(const char *name, const struct snapshot *snapshot, FILE *in, FILE *out,
-                struct error *err) MUST_CHECK;
-int serve_reader(const char *snapshot_path, FILE *in, FILE *out, struct error *err) MUST_CHECK;
 
 #endif

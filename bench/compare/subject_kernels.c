@@ -101,8 +101,8 @@ static int prepare(struct call *call, const struct kernel *kernel, const struct 
     return call->scratch && call->output ? 0 : -1;
 }
 
-int serve_kernels(const char *variant, const struct snapshot *snapshot, FILE *in, FILE *out,
-                  struct error *err)
+int subject_serve_kernels(const char *variant, const struct snapshot *snapshot, FILE *in, FILE *out,
+                          struct error *err)
 {
     struct call calls[KERNELS_MAX];
     struct worker_operation operations[KERNELS_MAX];

@@ -84,8 +84,8 @@ static int answer_task(void *context, struct worker_answer *answer, struct error
     return result;
 }
 
-int serve_paper(const char *name, const struct snapshot *snapshot, FILE *in, FILE *out,
-                struct error *err)
+int subject_serve_paper(const char *name, const struct snapshot *snapshot, FILE *in, FILE *out,
+                        struct error *err)
 {
     const struct paper_structure *structure = paper_structure_find(name);
     struct paper_run run;

@@ -19,7 +19,7 @@ struct reading {
 static int run_reading(void *context, struct error *err)
 {
     struct reading *reading = context;
-    return read_mesh(reading->path, &reading->mesh, err);
+    return mesh_file_read(reading->path, &reading->mesh, err);
 }
 
 static void reset_reading(void *context)
@@ -44,7 +44,7 @@ static int answer_reading(void *context, struct worker_answer *answer, struct er
     return 0;
 }
 
-int serve_reader(const char *snapshot_path, FILE *in, FILE *out, struct error *err)
+int subject_serve_reader(const char *snapshot_path, FILE *in, FILE *out, struct error *err)
 {
     static struct reading readings[MESH_FILE_COUNT];
     struct worker_operation operations[MESH_FILE_COUNT];

@@ -424,8 +424,8 @@ static int serve_held(struct held *held, struct worker_memory *memory, FILE *in,
     return worker_serve(&subject, in, out, err);
 }
 
-int serve_representation(const char *name, const struct snapshot *snapshot, FILE *in, FILE *out,
-                         struct error *err)
+int subject_serve_representation(const char *name, const struct snapshot *snapshot, FILE *in,
+                                 FILE *out, struct error *err)
 {
     struct held held = {.kind = representation_find(name), .snapshot = snapshot};
     struct worker_memory memory = {.piece_count = 0};

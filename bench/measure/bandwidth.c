@@ -42,11 +42,11 @@ static double best_of(void (*copy)(char *, const char *, size_t), char *to, cons
     double best = 0;
     copy(to, from, bytes);
     for (int i = 0; i < repetitions; i++) {
-        int64_t start = thread_cpu_ns(), elapsed_ns, copies = 0;
+        int64_t start = clock_thread_cpu_ns(), elapsed_ns, copies = 0;
         do {
             copy(to, from, bytes);
             copies++;
-        } while ((elapsed_ns = thread_cpu_ns() - start) < SAMPLE_NS);
+        } while ((elapsed_ns = clock_thread_cpu_ns() - start) < SAMPLE_NS);
         double rate = 2 * (double)bytes * (double)copies / (double)elapsed_ns;
         if (rate > best)
             best = rate;

@@ -35,7 +35,7 @@ static void note_speed(struct core_watch *watch, double speed)
 void core_watch_begin(struct core_watch *watch)
 {
     for (int i = 0; i < CORE_WATCH_RECENT; i++)
-        note_speed(watch, core_speed(CORE_SPEED_ROUNDS));
+        note_speed(watch, clock_core_speed(CORE_SPEED_ROUNDS));
 }
 
 bool core_watch_accepts(struct core_watch *watch, double before, double after)

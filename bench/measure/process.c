@@ -61,9 +61,9 @@ int process_start(struct process *process, const char *const *argv, const char *
 /* Waits until the process has ended; false when it has not within `seconds`. */
 static bool wait_for_end(pid_t pid, int seconds, int *status)
 {
-    int64_t deadline = wall_ns() + (int64_t)seconds * 1000000000;
+    int64_t deadline = clock_wall_ns() + (int64_t)seconds * 1000000000;
     while (waitpid(pid, status, WNOHANG) == 0) {
-        if (wall_ns() > deadline)
+        if (clock_wall_ns() > deadline)
             return false;
         nanosleep(&(struct timespec){.tv_nsec = 500000}, NULL);
     }
@@ -104,12 +104,12 @@ static bool take_line(struct process *process)
 
 int process_read(struct process *process, int seconds, struct error *err)
 {
-    int64_t deadline = wall_ns() + (int64_t)seconds * 1000000000;
+    int64_t deadline = clock_wall_ns() + (int64_t)seconds * 1000000000;
     if (!process->pid)
         return error_set(err, "the worker has ended before");
     while (!take_line(process)) {
         struct pollfd wait = {.fd = process->from, .events = POLLIN};
-        int64_t left_ms = (deadline - wall_ns()) / 1000000;
+        int64_t left_ms = (deadline - clock_wall_ns()) / 1000000;
         if (process->rest_length == PROCESS_LINE_CAPACITY)
             return error_set(err, "the worker answered with too long a line");
         if (left_ms <= 0)

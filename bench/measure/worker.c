@@ -77,7 +77,7 @@ struct service {
 
 static int64_t now_ns(const struct worker_subject *subject)
 {
-    return subject->thread_count > 1 ? wall_ns() : thread_cpu_ns();
+    return subject->thread_count > 1 ? clock_wall_ns() : clock_thread_cpu_ns();
 }
 
 /* Time of `calls` calls, each reset afterwards; -1 after an error. */
@@ -125,9 +125,9 @@ static int take_sample(struct service *service, int index, bool cold, struct err
     if ((cold ? renew(subject->memory, true, err) : warm_up(service, index, err)) != 0)
         return -1;
     int calls = cold ? 1 : service->calls[index];
-    double before = core_speed(CORE_SPEED_ROUNDS);
+    double before = clock_core_speed(CORE_SPEED_ROUNDS);
     int64_t elapsed_ns = time_calls(subject, &subject->operations[index], calls, err);
-    double after = core_speed(CORE_SPEED_ROUNDS);
+    double after = clock_core_speed(CORE_SPEED_ROUNDS);
     if (elapsed_ns < 0)
         return -1;
     fprintf(service->out, "sample %.4f %d %.4f %.4f\n", (double)elapsed_ns / calls, calls, before,

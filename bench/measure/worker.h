@@ -10,7 +10,7 @@
  * known) (end of input)    ends
  *
  * or `error WHY`. The side that asks (block.h) decides which process runs when, so that programs
- * can be measured in turns. SPEED is core_speed right before and after (clock.h). A warm sample
+ * can be measured in turns. SPEED is clock_core_speed right before and after (clock.h). A warm sample
  * takes as many calls as fill 0.3 ms, after one call that is not measured; time is CPU time of the
  * thread, or wall time of subjects that use several threads.
  *

@@ -117,7 +117,7 @@ struct state {
     void read(const std::string &extension)
     {
         fresh = std::make_unique<Mesh>();
-        if (!OpenMesh::IO::read_mesh(*fresh, peer::file_beside(path, extension)))
+        if (!OpenMesh::IO::mesh_file_read(*fresh, peer::file_beside(path, extension)))
             throw std::runtime_error("OpenMesh could not read the file");
     }
 };

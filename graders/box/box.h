@@ -14,6 +14,7 @@
 #define GRADERS_BOX_BOX_H
 
 #include "reference/base/error.h"
+#include "reference/base/phrase.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -42,6 +43,15 @@ enum box_layer {
 
 /* "user-namespace", "landlock", ...: the names in results and in `doctor`. */
 const char *box_layer_name(enum box_layer layer);
+
+/* The same for people. */
+struct phrase box_layer_title(enum box_layer layer);
+
+/* Why a layer is not active: in both languages, empty where it is. A process that was just cloned
+ * hands it to the engine, hence the few bytes. */
+struct box_reason {
+    char en[80], es[96];
+};
 
 /* Plays a machine that lacks some layers: from now on no box of this process has them, each says
  * "switched off" as the reason, and what is refused on such a machine is refused here. For tests;
@@ -104,8 +114,8 @@ struct box {
     pid_t init;
     pid_t program; /* as the engine sees it */
     int pidfd, program_pidfd, socket, notify;
-    uint32_t active;                  /* bit 1 << layer */
-    char reason[BOX_LAYER_COUNT][80]; /* why a layer is not active */
+    uint32_t active;                           /* bit 1 << layer */
+    struct box_reason reason[BOX_LAYER_COUNT]; /* why a layer is not active */
     int landlock_abi, cgroup_version;
     char cgroup_memory[256], cgroup_pids[256], cgroup_cpu[256];
     int64_t start_ns; /* CLOCK_MONOTONIC */
@@ -151,7 +161,7 @@ struct box_outcome {
     int64_t wall_ns, cpu_ns;
     uint64_t memory_peak_bytes; /* by cgroup, 0: not known */
     uint32_t active;
-    char reason[BOX_LAYER_COUNT][80];
+    struct box_reason reason[BOX_LAYER_COUNT];
     bool cleaned; /* every process gone, cgroups removed */
 };
 

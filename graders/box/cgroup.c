@@ -23,7 +23,7 @@ static void fails(struct box *box, enum box_layer layer, const char *what, int e
     struct report report = {.active = box->active};
     layer_fails(&report, layer, what, error);
     box->active = report.active;
-    memcpy(box->reason[layer], report.reason[layer], sizeof box->reason[layer]);
+    box->reason[layer] = report.reason[layer];
 }
 
 /* Whether `controller` is one of the comma-separated `list`. */
@@ -161,7 +161,7 @@ static void make_version_2(const struct box_plan *plan, struct box *box)
     if (make_version_2_group(group)) {
         for (size_t i = 0; i < sizeof layers / sizeof layers[0]; i++)
             if (layer_wanted(plan, layers[i]))
-                fails(box, layers[i], "own group", errno);
+                fails(box, layers[i], "mkdir", errno);
         return;
     }
     /* cpu.stat is in every group, so that this layer always keeps the folder for the others. */

@@ -143,8 +143,9 @@ static void become_inner_user(struct inside *inside)
     if (inside->other_user)
         layer_works(&inside->report, BOX_OTHER_USER);
     else if (layer_wanted(inside->plan, BOX_OTHER_USER))
-        layer_fails(&inside->report, BOX_OTHER_USER,
-                    "the engine has no second user id to give (it is not root)", 0);
+        layer_lacks(&inside->report, BOX_OTHER_USER,
+                    (struct phrase){"the engine has no second user id to give (it is not root)",
+                                    "el corrector no tiene otro usuario que dar (no es root)"});
 }
 
 /* Without a user namespace: root gives up its id for good. */
@@ -153,7 +154,8 @@ static void drop_user(struct inside *inside)
     if (!layer_wanted(inside->plan, BOX_OTHER_USER))
         return;
     if (geteuid() != 0)
-        layer_fails(&inside->report, BOX_OTHER_USER, "the engine is not root", 0);
+        layer_lacks(&inside->report, BOX_OTHER_USER,
+                    (struct phrase){"the engine is not root", "el corrector no es root"});
     else if (drop_groups() || take_user(SPARE_ID))
         layer_fails(&inside->report, BOX_OTHER_USER, "setresuid", errno);
     else

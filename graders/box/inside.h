@@ -48,7 +48,7 @@ enum report_kind { REPORT_READY = 1, REPORT_EXIT, REPORT_FAILED };
 struct report {
     enum report_kind kind;
     uint32_t active;
-    char reason[BOX_LAYER_COUNT][80];
+    struct box_reason reason[BOX_LAYER_COUNT];
     int landlock_abi;
     int status; /* of the program */
     struct rusage usage;
@@ -83,8 +83,10 @@ bool layer_waived(const struct box_plan *plan, enum box_layer layer);
 bool layer_active(const struct report *report, enum box_layer layer);
 void layer_works(struct report *report, enum box_layer layer);
 
-/* Says why a layer is not active: `what` and the text of errno (none when 0). */
+/* Says why a layer is not active: what failed (a system call or a path) and the text of errno; or
+ * what the layer lacks. */
 void layer_fails(struct report *report, enum box_layer layer, const char *what, int error);
+void layer_lacks(struct report *report, enum box_layer layer, struct phrase why);
 
 /* ---- namespaces.c */
 /* Clones the box's init into as many namespaces as the machine grants and maps its user. */

@@ -297,8 +297,8 @@ static void probe_layer(enum box_layer layer, const struct bait *bait, struct bo
         box_finish(&box, &outcome);
         out->works = box.active >> layer & 1 && judge(layer, &outcome);
         if (!out->works)
-            say(out, outcome.reason[layer][0] ? outcome.reason[layer]
-                                              : "active, but it let pass what it must stop");
+            say(out, outcome.reason[layer].en[0] ? outcome.reason[layer].en
+                                                 : "active, but it let pass what it must stop");
     }
     if (output >= 0)
         close(output);

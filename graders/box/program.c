@@ -99,7 +99,7 @@ static const char *nothing_without(const struct report *report, enum box_layer l
 {
     static char text[160];
     snprintf(text, sizeof text, "nothing is run without %s: %s", box_layer_name(layer),
-             report->reason[layer]);
+             report->reason[layer].en);
     return text;
 }
 

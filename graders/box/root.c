@@ -165,12 +165,12 @@ static const char *change_root(void)
 {
     unsigned long flags = MS_REMOUNT | MS_BIND | MS_RDONLY | MS_NOSUID | MS_NODEV;
     if (mount(NULL, ".", NULL, flags, NULL))
-        return "read-only root";
+        return "mount MS_RDONLY";
     /* Puts the old root on top of the new one, from where it is taken away. */
     if (syscall(SYS_pivot_root, ".", "."))
         return "pivot_root";
     if (umount2(".", MNT_DETACH) || chdir("/"))
-        return "unmount the old root";
+        return "umount2";
     return NULL;
 }
 
@@ -180,12 +180,14 @@ void root_enter(struct inside *inside)
     if (!layer_wanted(plan, BOX_PRIVATE_ROOT))
         return;
     if (!layer_active(&inside->report, BOX_MOUNT_NAMESPACE)) {
-        layer_fails(&inside->report, BOX_PRIVATE_ROOT, "needs a mount namespace", 0);
+        layer_lacks(
+            &inside->report, BOX_PRIVATE_ROOT,
+            (struct phrase){"needs a mount namespace", "necesita un espacio de montajes propio"});
         return;
     }
     const char *failed = NULL;
     if (mount(NULL, "/", NULL, MS_REC | MS_PRIVATE, NULL))
-        failed = "private mounts";
+        failed = "mount MS_PRIVATE";
     else if (root_take_trees(inside))
         failed = "open_tree";
     else if (mount_scratch("/tmp", 1 << 20, 0755) || chdir("/tmp"))
@@ -197,7 +199,7 @@ void root_enter(struct inside *inside)
         if (failed) {
             int error = errno;
             if (chdir("/") || umount2("/tmp", MNT_DETACH))
-                failed = "undo";
+                failed = "umount2 /tmp";
             errno = error;
         }
     }

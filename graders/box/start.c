@@ -137,7 +137,8 @@ static int open_inside(struct inside *inside, const struct box_plan *plan, struc
     }
     for (int layer = 0; layer < BOX_LAYER_COUNT; layer++)
         if (!layer_wanted(plan, (enum box_layer)layer))
-            layer_fails(&inside->report, (enum box_layer)layer, "switched off", 0);
+            layer_lacks(&inside->report, (enum box_layer)layer,
+                        (struct phrase){"switched off", "desactivada"});
     root_plan(inside);
     /* Where the engine's root may not do it, init tries as well, and says why not. */
     if (geteuid() == 0 && layer_wanted(plan, BOX_PRIVATE_ROOT) && root_take_trees(inside))
@@ -203,8 +204,8 @@ static void merge(struct box *box, const struct report *report)
     uint32_t groups = 1u << BOX_CGROUP_MEMORY | 1u << BOX_CGROUP_PIDS | 1u << BOX_CGROUP_CPU;
     box->active = (box->active & groups) | (report->active & ~groups);
     for (int layer = 0; layer < BOX_LAYER_COUNT; layer++)
-        if (!(groups >> layer & 1) || !box->reason[layer][0])
-            memcpy(box->reason[layer], report->reason[layer], sizeof box->reason[layer]);
+        if (!(groups >> layer & 1) || !box->reason[layer].en[0])
+            box->reason[layer] = report->reason[layer];
     box->landlock_abi = report->landlock_abi;
 }
 

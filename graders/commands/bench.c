@@ -137,7 +137,7 @@ static void print_document(const struct settings *settings, const json_t *docume
     } else if (settings->csv) {
         bench_document_csv(document, stdout);
     } else {
-        table_write(document, style_for(stdout, NULL).colour, stdout);
+        table_write(document, style_for(stdout, language_here()).colour, stdout);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "graders/commands/options.h"
 #include "graders/engine/base/files.h"
 #include "graders/engine/classroom.h"
+#include "graders/engine/run/cases.h"
 #include "graders/judges/table.h"
 #include "reference/base/plural.h"
 
@@ -12,7 +13,8 @@
 
 struct request {
     bool quick, json, all, times;
-    const char *only_case, *language, *without, *seed_text;
+    const char *only_case, *language_text, *without, *seed_text;
+    enum language language;
     uint32_t seed;
 };
 
@@ -72,8 +74,8 @@ static int make_cases(struct yardstick *yardstick, const struct trial_scope *sco
                       struct error *err)
 {
     const struct input *input;
-    for (size_t i = 0; i < yardstick->judge->case_count; i++)
-        if (trial_case_in_scope(&yardstick->judge->cases[i], scope) &&
+    for (size_t i = 0; i < yardstick->inputs.judge->case_count; i++)
+        if (cases_in_scope(&yardstick->inputs.judge->cases[i], scope) &&
             yardstick_case(yardstick, i, &input, err) != 0)
             return -1;
     return 0;
@@ -105,7 +107,7 @@ static int check(const struct exercise *exercise, const struct upload *upload,
 }
 
 /* What grading looks at and this check did not. */
-static void print_left_out(const struct request *request, const json_t *result, bool spanish)
+static void print_left_out(const struct request *request, const json_t *result)
 {
     const struct judge *judge = judge_find(json_string_value(json_object_get(result, "exercise")));
     size_t hidden = 0;
@@ -113,12 +115,13 @@ static void print_left_out(const struct request *request, const json_t *result, 
         hidden += !judge_case_is_public(&judge->cases[i]);
     if (request->all || request->only_case || hidden == 0)
         return;
-    printf(spanish ? "\nAl corregir hay además %zu caso%s sin publicar%s.\n"
-                   : "\nGrading has %zu further case%s, not public%s.\n",
-           hidden, plural_ending((long long)hidden),
-           !request->quick ? ""
-           : spanish       ? ", y más comprobaciones"
-                           : ", and more checks");
+    struct message left_out;
+    message_say(&left_out, "Grading has %zu further case%s, not public",
+                "Al corregir hay además %zu caso%s sin publicar", hidden,
+                plural_ending((long long)hidden));
+    if (request->quick)
+        message_add(&left_out, ", and more checks", ", y más comprobaciones");
+    printf("\n%s.\n", message_text(&left_out, request->language));
 }
 
 static int show(const struct request *request, json_t *result)
@@ -127,7 +130,7 @@ static int show(const struct request *request, json_t *result)
     if (request->json)
         return print_value(result) != 0 ? EXIT_FAULT : exit_code_of(result);
     terminal_print_result(stdout, result, &style);
-    print_left_out(request, result, style.spanish);
+    print_left_out(request, result);
     return exit_code_of(result);
 }
 
@@ -166,7 +169,8 @@ static int run(int argc, char **argv)
         {"case", 0, "NAME", "only this case", &request.only_case, NULL},
         {"seed", 0, "N", "the cases that are not public as a class of this seed had them",
          &request.seed_text, NULL},
-        {"lang", 0, "en|es", "language of the report (default: by LANG)", &request.language, NULL},
+        {"lang", 0, "en|es", "language of the report (default: by LANG)", &request.language_text,
+         NULL},
         {"json", 0, NULL, "the result as JSON", NULL, &request.json},
         {"without", 0, "LAYERS", "leave protections out, to test the others (see doctor)",
          &request.without, NULL},
@@ -181,7 +185,7 @@ static int run(int argc, char **argv)
     }
     if (use_layers(request.without) != 0 ||
         options_seed(request.seed_text, SEED_PUBLISHED, &request.seed) != 0 ||
-        options_language(request.language) != 0)
+        options_language(request.language_text, language_here(), &request.language) != 0)
         return EXIT_USAGE;
     if (load_exercises(&exercises, &count) != 0)
         return EXIT_FAULT;

@@ -77,16 +77,21 @@ int use_layers(const char *without)
     return -1;
 }
 
-struct terminal_style style_for(FILE *stream, const char *language)
+enum language language_here(void)
 {
-    const char *none = getenv("NO_COLOR");
-    const char *lang = language ? language : getenv("LC_ALL");
+    const char *lang = getenv("LC_ALL");
     if (!lang || !*lang)
         lang = getenv("LC_MESSAGES");
     if (!lang || !*lang)
         lang = getenv("LANG");
+    return lang && strncmp(lang, "es", 2) == 0 ? LANGUAGE_ES : LANGUAGE_EN;
+}
+
+struct terminal_style style_for(FILE *stream, enum language language)
+{
+    const char *none = getenv("NO_COLOR");
     return (struct terminal_style){.colour = isatty(fileno(stream)) && !(none && *none),
-                                   .spanish = lang && strncmp(lang, "es", 2) == 0};
+                                   .language = language};
 }
 
 const char *renderer_path(void)

@@ -25,8 +25,11 @@ bool folder_holds(const char *folder, const char *name);
  * returns -1. */
 int use_layers(const char *without);
 
-/* Colour only on a terminal and without NO_COLOR; language "en" or "es", NULL: by LANG. */
-struct terminal_style style_for(FILE *stream, const char *language);
+/* The language of the environment: of LC_ALL, else LC_MESSAGES, else LANG. */
+enum language language_here(void);
+
+/* Colour only on a terminal and without NO_COLOR. */
+struct terminal_style style_for(FILE *stream, enum language language);
 
 /* Prints "meshgrade: ..." and returns EXIT_FAULT, or EXIT_USAGE when the error is in what was asked
  * for. */

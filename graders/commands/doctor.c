@@ -48,7 +48,8 @@ static void add_grading(struct finding *findings, int *count)
         grading->works =
             yardstick_make(&yardstick, &exercises[0], SEED_PUBLISHED, false, &err) == 0;
         counting->works = grading->works && yardstick.probes.valgrind;
-        snprintf(counting->reason, sizeof counting->reason, "%s", yardstick.probes.valgrind_reason);
+        snprintf(counting->reason, sizeof counting->reason, "%s",
+                 phrase_text(yardstick.probes.no_valgrind, LANGUAGE_EN));
         yardstick_release(&yardstick);
     }
     snprintf(grading->reason, sizeof grading->reason, "%.390s", err.text);
@@ -111,7 +112,7 @@ static int print_json(const struct finding *findings, int count)
 
 static void print_table(const struct finding *findings, int count)
 {
-    struct terminal_style style = style_for(stdout, NULL);
+    struct terminal_style style = style_for(stdout, language_here());
     const char *good = style.colour ? "\033[32m" : "", *bad = style.colour ? "\033[33m" : "";
     const char *plain = style.colour ? "\033[0m" : "";
     for (int i = 0; i < count; i++) {

@@ -20,9 +20,8 @@ static int run(int argc, char **argv)
         fprintf(stderr, "usage: meshgrade export [options] FOLDER --format FORMAT\n");
         return EXIT_USAGE;
     }
-    if (options_language(language) != 0)
+    if (options_language(language, LANGUAGE_EN, &selection.language) != 0)
         return EXIT_USAGE;
-    selection.spanish = language && strcmp(language, "es") == 0;
     if (report_export(argv[at], format, &selection, stdout, &err) != 0)
         return report_fault(&err);
     return EXIT_PASSED;

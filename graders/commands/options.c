@@ -102,8 +102,9 @@ int options_seed(const char *text, uint32_t absent, uint32_t *seed)
     return number >= 0 ? 0 : -1;
 }
 
-int options_language(const char *text)
+int options_language(const char *text, enum language absent, enum language *language)
 {
+    *language = !text ? absent : strcmp(text, "es") == 0 ? LANGUAGE_ES : LANGUAGE_EN;
     if (!text || strcmp(text, "en") == 0 || strcmp(text, "es") == 0)
         return 0;
     fprintf(stderr, "meshgrade: --lang %s: expected en or es\n", text);

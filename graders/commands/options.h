@@ -3,6 +3,8 @@
 #ifndef GRADERS_COMMANDS_OPTIONS_H
 #define GRADERS_COMMANDS_OPTIONS_H
 
+#include "reference/base/phrase.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -38,9 +40,9 @@ long options_number(const char *name, const char *text, long least, long absent)
  * what is wrong. */
 int options_seed(const char *text, uint32_t absent, uint32_t *seed);
 
-/* The language after --lang: en or es; `text` NULL: left to the environment. Returns 0, or -1 after
- * saying what is wrong. */
-int options_language(const char *text);
+/* The language after --lang: en or es; `text` NULL: `absent`. Returns 0, or -1 after saying what is
+ * wrong. */
+int options_language(const char *text, enum language absent, enum language *language);
 
 extern const struct command command_list, command_start, command_check, command_grade,
     command_report, command_export, command_validate, command_doctor, command_bench,

@@ -49,7 +49,7 @@ int publish(const char *out, bool pictures, bool json, struct error *err)
     json_auto_t *results = report_results(out, err);
     if (!results)
         return EXIT_FAULT;
-    struct terminal_style style = style_for(stdout, NULL);
+    struct terminal_style style = style_for(stdout, language_here());
     if (!json)
         terminal_print_marks(stdout, results, &style);
     else if (print_value(results) != 0)

@@ -19,7 +19,7 @@ struct classroom {
     int exercise_count;
     const struct upload_list *uploads; /* borrowed */
     struct store *store;               /* borrowed */
-    uint32_t seed;                     /* of the class, or SEED_PUBLISHED; see yardstick.h */
+    uint32_t seed;                     /* of the class, or SEED_PUBLISHED; see inputs.h */
     int job_count;
     bool regrade;     /* grade even what the store has (and keep faults out of the way) */
     bool keep_others; /* leave results of submissions that are not in `uploads` */

@@ -25,7 +25,7 @@ static const struct cause other_refusal = {"other-refusal",
 
 /* ------------------------------------------------------------------------------------- bounds */
 
-int64_t room_for(struct room room, struct input_sizes sizes)
+int64_t answer_room(struct room room, struct input_sizes sizes)
 {
     return room.once + room.per_vertex * sizes.vertices + room.per_face * sizes.faces +
            room.per_corner * sizes.corners;
@@ -52,7 +52,7 @@ static size_t table_bytes(int64_t rows, size_t row_bytes)
 static size_t part_bound(const struct answer_rule *rule, const struct answer_part *part,
                          struct input_sizes sizes)
 {
-    int64_t most = room_for(part->most, sizes), counted = room_for(rule->most, sizes);
+    int64_t most = answer_room(part->most, sizes), counted = answer_room(rule->most, sizes);
     size_t row_bytes = value_bytes(part) * (size_t)part->columns;
     if (part->rows == ROWS_OF_ROWS)
         return table_bytes(with_spare(counted) + 1, sizeof(int32_t)) +
@@ -118,7 +118,7 @@ static bool read_result(const struct answer_rule *rule, struct input_sizes sizes
     }
     answer->result = read_int(reader);
     answer->refusal = find_code(rule, answer->result);
-    int64_t most = room_for(rule->most, sizes);
+    int64_t most = answer_room(rule->most, sizes);
     if (reader->failed)
         reject_malformed(rule, out);
     else if (answer->refusal)
@@ -177,7 +177,7 @@ static bool read_offsets(const struct answer_rule *rule, const struct answer_par
     if (!table->first)
         return false;
     table->first = offsets > 0 ? table->first : &nothing;
-    int64_t most = with_spare(room_for(part->most, sizes));
+    int64_t most = with_spare(answer_room(part->most, sizes));
     for (int64_t r = 0; r < table->row_count; r++) {
         int64_t from = table->first[r], to = table->first[r + 1];
         if ((r == 0 && from != 0) || to < from || to > most) {
@@ -194,7 +194,7 @@ static bool read_part(const struct answer_rule *rule, const struct answer_part *
                       struct answer_table *table, struct judgement *out)
 {
     table->columns = part->columns;
-    table->count = part->rows == ROWS_FIXED ? room_for(part->most, sizes) : answer->result;
+    table->count = part->rows == ROWS_FIXED ? answer_room(part->most, sizes) : answer->result;
     if (part->rows == ROWS_OF_ROWS && !read_offsets(rule, part, sizes, reader, answer, table, out))
         return false;
     size_t row_bytes = value_bytes(part) * (size_t)part->columns;

@@ -27,7 +27,7 @@ struct input_sizes {
 struct room {
     int64_t once, per_vertex, per_face, per_corner;
 };
-int64_t room_for(struct room room, struct input_sizes sizes);
+int64_t answer_room(struct room room, struct input_sizes sizes);
 
 /* What the function itself returns. */
 enum answer_result {

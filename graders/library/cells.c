@@ -90,7 +90,7 @@ static void reject_first(const struct built_mesh *mesh, const struct cell_cover 
                 "El triángulo %" PRId64 " (%d, %d, %d)", t, corner[0], corner[1], corner[2]);
     judge_name_one(out, triangle_noun, "%" PRId64 " (%d, %d, %d)", t, corner[0], corner[1],
                    corner[2]);
-    if (triangle_in_range(corner, mesh->vertex_count)) {
+    if (scene_triangle_in_range(corner, mesh->vertex_count)) {
         cell_reject(fit, &subject, cover, out);
     } else if (judge_reject_for(out, &out_of_range)) {
         int64_t last = mesh->vertex_count - 1;
@@ -104,7 +104,7 @@ void cells_judge(const struct built_mesh *mesh, const struct cell_cover *cover,
 {
     for (int64_t t = 0; t < mesh->triangle_count; t++) {
         const int32_t *corner = mesh->triangles + 3 * t;
-        bool in_range = triangle_in_range(corner, mesh->vertex_count);
+        bool in_range = scene_triangle_in_range(corner, mesh->vertex_count);
         enum cell_fit fit = in_range ? cover->add(cover->cells, corner) : CELL_OUTSIDE;
         if (fit == CELL_HALF) {
             out->scene.ok_count++;

@@ -325,30 +325,31 @@ void cycle_fault_release(struct cycle_fault *fault)
 
 void cycle_step_say(const struct cycle_step *step, struct message *message)
 {
+    message_clear(message);
     if (step->entry < 0)
         return;
     if (step->end == CYCLE_NOTHING_SHARED)
-        message_add(message, " It has nothing in common with what is missing.",
-                    " No tiene nada en común con lo que falta.");
+        message_say(message, "It has nothing in common with what is missing.",
+                    "No tiene nada en común con lo que falta.");
     else if (step->end == CYCLE_ANSWER_ENDS && !step->has_before)
-        message_add(message, " It is empty.", " Está vacía.");
+        message_say(message, "It is empty.", "Está vacía.");
     else if (step->end == CYCLE_ANSWER_ENDS)
-        message_add(message, " It ends after %" PRId32 "; right is %" PRId32 " next.",
-                    " Acaba después de %" PRId32 "; lo correcto es seguir con %" PRId32 ".",
+        message_say(message, "It ends after %" PRId32 "; right is %" PRId32 " next.",
+                    "Acaba después de %" PRId32 "; lo correcto es seguir con %" PRId32 ".",
                     step->before, step->wanted);
     else if (step->end == CYCLE_ANSWER_GOES_ON && !step->has_before)
-        message_add(message, " It begins with %" PRId32 "; right is nothing at all.",
-                    " Empieza con %" PRId32 "; lo correcto es no tener nada.", step->found);
+        message_say(message, "It begins with %" PRId32 "; right is nothing at all.",
+                    "Empieza con %" PRId32 "; lo correcto es no tener nada.", step->found);
     else if (step->end == CYCLE_ANSWER_GOES_ON)
-        message_add(message, " It should end after %" PRId32 ", but goes on with %" PRId32 ".",
-                    " Debería acabar después de %" PRId32 ", pero sigue con %" PRId32 ".",
+        message_say(message, "It should end after %" PRId32 ", but goes on with %" PRId32 ".",
+                    "Debería acabar después de %" PRId32 ", pero sigue con %" PRId32 ".",
                     step->before, step->found);
     else if (!step->has_before)
-        message_add(message, " It begins with %" PRId32 "; right is %" PRId32 ".",
-                    " Empieza con %" PRId32 "; lo correcto es %" PRId32 ".", step->found,
+        message_say(message, "It begins with %" PRId32 "; right is %" PRId32 ".",
+                    "Empieza con %" PRId32 "; lo correcto es %" PRId32 ".", step->found,
                     step->wanted);
     else
-        message_add(message, " After %" PRId32 " comes %" PRId32 "; right is %" PRId32 ".",
-                    " Después de %" PRId32 " viene %" PRId32 "; lo correcto es %" PRId32 ".",
+        message_say(message, "After %" PRId32 " comes %" PRId32 "; right is %" PRId32 ".",
+                    "Después de %" PRId32 " viene %" PRId32 "; lo correcto es %" PRId32 ".",
                     step->before, step->found, step->wanted);
 }

@@ -66,8 +66,8 @@ int sequences_compare(const struct cycle_rows *answer, const struct cycle_rows *
 
 void cycle_fault_release(struct cycle_fault *fault);
 
-/* Appends where the two rows part, as a sentence after a space: " After 4 comes 7; right is 9."
- * Nothing when there is no step. */
+/* Says where the two rows part, in a sentence: "After 4 comes 7; right is 9." No text when there is
+ * no step. */
 void cycle_step_say(const struct cycle_step *step, struct message *message);
 
 /* -- single cycles ------------------------------------------------------------------------------

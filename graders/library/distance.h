@@ -19,7 +19,7 @@ enum { SURFACE_SAMPLES = 10 };
 /* The distance of a point and a triangle, which may be degenerate; `nearest` (may be NULL) becomes
  * the point of the triangle that is nearest. Source: Ericson, Real-Time Collision Detection (2005),
  * 5.1.5. */
-double point_triangle_distance(const double p[3], const double a[3], const double b[3],
+double distance_point_triangle(const double p[3], const double a[3], const double b[3],
                                const double c[3], double nearest[3]);
 
 /* Triangles, to be searched for the one nearest to a point. */

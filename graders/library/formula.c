@@ -182,7 +182,7 @@ int formula_judge(const struct formula *formula, const int32_t *rows, int64_t ro
 
 /* ------------------------------------------------------------------ numbers */
 
-void number_judge(const struct number *number, double answer, struct judgement *out)
+void formula_judge_number(const struct number *number, double answer, struct judgement *out)
 {
     if (fabs(answer - number->value) <= number->tolerance) {
         judge_accept(out);
@@ -203,7 +203,8 @@ void number_judge(const struct number *number, double answer, struct judgement *
 
 /* -------------------------------------------------------------------- sizes */
 
-void size_judge(const struct size_claim *claim, const struct usage *usage, struct judgement *out)
+void formula_judge_size(const struct size_claim *claim, const struct usage *usage,
+                        struct judgement *out)
 {
     int64_t measured = 0;
     bool fits = true;

@@ -52,7 +52,7 @@ struct number {
 #define TWO_DECIMALS 0.005000001
 
 /* Accepts a number within its tolerance; NaN never is. */
-void number_judge(const struct number *number, double answer, struct judgement *out);
+void formula_judge_number(const struct number *number, double answer, struct judgement *out);
 
 /* The size of what a builder made.
  *
@@ -68,6 +68,7 @@ struct size_claim {
 
 /* Accepts when the measured heap, the student's formula and the right size are one number. Without
  * a measurement only the formula is looked at. */
-void size_judge(const struct size_claim *claim, const struct usage *usage, struct judgement *out);
+void formula_judge_size(const struct size_claim *claim, const struct usage *usage,
+                        struct judgement *out);
 
 #endif

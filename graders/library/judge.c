@@ -27,8 +27,8 @@ static bool takes_polygons(const struct judge *judge)
     return judge->input == INPUT_POLYGONS;
 }
 
-static int write_mesh(const struct judge *judge, const struct judge_case *c, const char *models,
-                      struct writer *input, struct error *err)
+static int mesh_file_write(const struct judge *judge, const struct judge_case *c,
+                           const char *models, struct writer *input, struct error *err)
 {
     /* Vast numbers: 200 MB of positions that no function of INPUT_TOPOLOGY reads are left out. */
     bool vast = judge->input == INPUT_TOPOLOGY && (c->mesh.changes & VAST_NUMBERS);
@@ -71,7 +71,7 @@ static int write_input(const struct judge *judge, const struct judge_case *c, co
     case INPUT_SOUP:
         break;
     }
-    return write_mesh(judge, c, models, input, err);
+    return mesh_file_write(judge, c, models, input, err);
 }
 
 static int write_numbers(const struct judge *judge, const int64_t number[4], struct writer *input,

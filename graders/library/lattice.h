@@ -1,6 +1,7 @@
 /* The grid of problems 4.2 and 4.3 as a judge sees it: m rows of n cells on the unit square, every
  * cell cut into two triangles by either diagonal. Vertices are told apart by where they lie, so a
- * student may number vertices and order triangles in any way.
+ * student may number vertices and order triangles in any way. Cells are looked at one by one:
+ * surface.h compares with one right mesh, and here either diagonal is right.
  *
  * Point r * (n + 1) + c of the lattice lies at x = c / n, y = r / m, z = 0. */
 #ifndef GRADERS_LIBRARY_LATTICE_H

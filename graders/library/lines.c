@@ -7,7 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 1024, LEAST_POINTS = 3 };
+enum { LEAST_POINTS = 3 };
+
+/* The square in which plane points lie, and whole parts of its side. */
+enum { SIDE = 1024, HALF = SIDE / 2, QUARTER = SIDE / 4, EIGHTH = SIDE / 8, FIFTH = SIDE / 5 };
 
 static int32_t dimension_of(enum line_shape shape)
 {
@@ -27,7 +30,7 @@ static void set_plane(float *points, int32_t i, double x, double y)
 
 static void set_polar(float *points, int32_t i, double angle, double radius)
 {
-    set_plane(points, i, SIDE / 2 + radius * cos(angle), SIDE / 2 + radius * sin(angle));
+    set_plane(points, i, HALF + radius * cos(angle), HALF + radius * sin(angle));
 }
 
 /* Teeth upwards from a bar: two points below, then up and down along the top, from right to left.
@@ -38,7 +41,7 @@ static void make_comb(float *points, int32_t count)
     set_plane(points, 1, SIDE, 0);
     for (int32_t i = 2; i < count; i++)
         set_plane(points, i, SIDE * (1 - (double)(i - 2) / (count - 3 > 0 ? count - 3 : 1)),
-                  i % 2 == 0 ? SIDE : SIDE / 4);
+                  i % 2 == 0 ? SIDE : QUARTER);
 }
 
 /* Two turns outwards along one arm and back beside it. */
@@ -69,22 +72,22 @@ static void make_plane_line(enum line_shape shape, float *points, int32_t count,
     int32_t wide = (int32_t)ceil(sqrt((double)count));
     for (int32_t i = 0; i < count; i++) {
         double angle = 2 * M_PI * i / count;
+        int32_t column = i % wide, row = i / wide;
         switch (shape) {
         case LINE_CONVEX:
-            set_polar(points, i, angle, SIDE / 2);
+            set_polar(points, i, angle, HALF);
             break;
         case LINE_STAR:
-            set_polar(points, i, angle, i % 2 ? SIDE / 5 : SIDE / 2);
+            set_polar(points, i, angle, i % 2 ? FIFTH : HALF);
             break;
         case LINE_ZIGZAG:
-            set_plane(points, i, (double)SIDE * i / count, i % 2 ? SIDE / 4 : SIDE / 2);
+            set_plane(points, i, (double)SIDE * i / count, i % 2 ? QUARTER : HALF);
             break;
         case LINE_PROFILE:
-            set_plane(points, i, (double)SIDE * i / count, SIDE / 4 + SIDE / 8 * sin(angle));
+            set_plane(points, i, (double)SIDE * i / count, QUARTER + EIGHTH * sin(angle));
             break;
         case POINTS_GRID:
-            set_plane(points, i, (double)(i % wide) * SIDE / wide,
-                      (double)(i / wide) * SIDE / wide);
+            set_plane(points, i, (double)column * SIDE / wide, (double)row * SIDE / wide);
             break;
         default: /* x differs for all */
             set_plane(points, i, (double)i * SIDE / count, (double)random_below(rng, SIDE));

@@ -138,7 +138,7 @@ int32_t near_points_find(const struct near_points *tree, const float p[3], doubl
     return best.point;
 }
 
-double point_distance(const float p[3], const float q[3])
+double near_points_distance(const float p[3], const float q[3])
 {
     double square = 0;
     for (int axis = 0; axis < 3; axis++) {

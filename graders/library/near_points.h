@@ -36,6 +36,6 @@ void near_points_release(struct near_points *tree);
 int32_t near_points_find(const struct near_points *tree, const float p[3], double reach);
 
 /* The distance of two points, in double. */
-double point_distance(const float p[3], const float q[3]);
+double near_points_distance(const float p[3], const float q[3]);
 
 #endif

@@ -80,6 +80,6 @@ int question_judge(const struct task *task, struct judgement *out, struct error 
         return question->judge(number, &said, task->usage, out, err);
     }
     double value = read_real(&said);
-    number_judge(question->number, said.failed ? (double)NAN : value, out);
+    formula_judge_number(question->number, said.failed ? (double)NAN : value, out);
     return 0;
 }

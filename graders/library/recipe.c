@@ -58,7 +58,7 @@ static int read_model(const char *models, const char *name, struct mesh *mesh, s
     int length = snprintf(path, sizeof path, "%s/%s", models, name);
     if (length < 0 || length >= (int)sizeof path)
         return error_set(err, "the path of the models is too long: %s", models);
-    return read_mesh(path, mesh, err);
+    return mesh_file_read(path, mesh, err);
 }
 
 /* A ring of quads between two circles, cut into triangles. */
@@ -105,15 +105,17 @@ static int make_separate(struct mesh *mesh, int64_t count, struct error *err)
     int64_t side = (int64_t)ceil(sqrt((double)count)) + 1;
     if (mesh_init(mesh, 3 * count, count, err))
         return -1;
-    for (int64_t t = 0; t < count; t++)
+    for (int64_t t = 0; t < count; t++) {
+        int64_t column = t % side, row = t / side;
         for (int64_t corner = 0; corner < 3; corner++) {
             float *position = mesh->positions + 3 * (3 * t + corner);
-            double x = (double)(t % side) + (corner == 1 ? 0.8 : 0);
-            double y = (double)(t / side) + (corner == 2 ? 0.8 : 0);
+            double x = (double)column + (corner == 1 ? 0.8 : 0);
+            double y = (double)row + (corner == 2 ? 0.8 : 0);
             position[0] = (float)(x / (double)side - 0.5);
             position[1] = (float)(y / (double)side - 0.5);
             mesh->triangles[3 * t + corner] = (int32_t)(3 * t + corner);
         }
+    }
     return 0;
 }
 

@@ -5,7 +5,7 @@
  * Vertices are told apart by where they lie, so a student may number vertices and list triangles in
  * any order and cut cells by either diagonal. At a pole k vertices share a place; which meridian
  * each of them belongs to follows from the triangles, and only that they close up around the pole
- * is asked. */
+ * is asked. So there is not one right mesh, as surface.h needs to compare. */
 #ifndef GRADERS_LIBRARY_SPHERE_H
 #define GRADERS_LIBRARY_SPHERE_H
 

@@ -86,13 +86,24 @@ static struct phrase row_noun(const struct structure_fault *fault)
     return fault->structure == STRUCTURE_WINGED_EDGE ? edge : half_edge;
 }
 
+/* A number of a table, as students write it: their constant where nothing is. */
+static void add_number(struct message *message, int32_t number)
+{
+    if (number == STRUCTURE_NONE)
+        message_add(message, "NONE", "NONE");
+    else
+        message_add(message, "%" PRId32, "%" PRId32, number);
+}
+
 /* "7", or "any of 7, 9, 11". */
 static void say_wanted(const struct structure_fault *fault, struct message *message)
 {
     if (fault->wanted_count > 1)
         message_add(message, "any of ", "cualquiera de ");
-    for (int64_t i = 0; i < fault->wanted_count && i < STRUCTURE_WANTED_MOST; i++)
-        message_add(message, "%s%" PRId32, "%s%" PRId32, i > 0 ? ", " : "", fault->wanted[i]);
+    for (int64_t i = 0; i < fault->wanted_count && i < STRUCTURE_WANTED_MOST; i++) {
+        message_add(message, "%s", "%s", i > 0 ? ", " : "");
+        add_number(message, fault->wanted[i]);
+    }
     if (fault->wanted_count > STRUCTURE_WANTED_MOST)
         message_add(message, " ...", " ...");
 }
@@ -103,14 +114,14 @@ static void say_entry(const struct structure_fault *fault, struct message *messa
     bool is_row = fault->from != STRUCTURE_NONE;
     struct phrase noun = row_noun(fault);
     if (is_row) {
-        message_en(message, "%s of %s %" PRId64 " (%" PRId32 ",%" PRId32 ") is %" PRId32, name,
-                   noun.en, fault->row, fault->from, fault->to, fault->found);
-        message_es(message, "%s de %s %" PRId64 " (%" PRId32 ",%" PRId32 ") es %" PRId32, name,
-                   noun.es, fault->row, fault->from, fault->to, fault->found);
+        message_en(message, "%s of %s %" PRId64 " (%" PRId32 ",%" PRId32 ") is ", name, noun.en,
+                   fault->row, fault->from, fault->to);
+        message_es(message, "%s de %s %" PRId64 " (%" PRId32 ",%" PRId32 ") es ", name, noun.es,
+                   fault->row, fault->from, fault->to);
     } else {
-        message_add(message, "%s[%" PRId64 "] is %" PRId32, "%s[%" PRId64 "] es %" PRId32, name,
-                    fault->row, fault->found);
+        message_add(message, "%s[%" PRId64 "] is ", "%s[%" PRId64 "] es ", name, fault->row);
     }
+    add_number(message, fault->found);
     message_add(message, "; right is ", "; lo correcto es ");
     say_wanted(fault, message);
 }

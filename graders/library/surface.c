@@ -171,8 +171,8 @@ int surface_compare_places(const struct surface_mesh *answer, const struct surfa
         const float *p = answer->positions + 3 * (int64_t)v;
         int32_t near = near_points_find(&tree, p, reach > tolerance ? reach : tolerance);
         fault->right_of[v] = near;
-        double distance =
-            near < 0 ? (double)INFINITY : point_distance(p, right->positions + 3 * (int64_t)near);
+        double distance = near < 0 ? (double)INFINITY
+                                   : near_points_distance(p, right->positions + 3 * (int64_t)near);
         if (!(distance <= tolerance))
             note_stray(fault, v, distance);
     }

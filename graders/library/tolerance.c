@@ -261,7 +261,7 @@ static double other_angle(const struct mistake_place *place)
 /* Rounding errors of some hundred operations in binary32. */
 static const double FLOAT_ROUNDING = 1e-5;
 
-const struct mistake usual_mistakes[] = {
+const struct mistake tolerance_usual_mistakes[] = {
     {.cause = {"zero-everywhere", {"zero everywhere", "cero en todas partes"}},
      .value = zero,
      .hint = {"It is 0 everywhere: is anything written?",

@@ -7,7 +7,7 @@
  *         return -1;
  *     if (fault.wrong_count > 0) {
  *         const struct mistake *mistake =
- *             reals_mistake(&found, right, vertex_count, 1, &rule, usual_mistakes, NULL);
+ *             reals_mistake(&found, right, vertex_count, 1, &rule, tolerance_usual_mistakes, NULL);
  *         ... row fault.row is fault.found; right is fault.right; mistake->hint if there is one ...
  *     }
  *     real_fault_release(&fault);
@@ -117,7 +117,7 @@ struct mistake {
  * and the reverse, squared, square root, reciprocal, the other angle (pi - x), zero everywhere,
  * and right but for rounding as by float. For angles and areas and lengths alike; make a list of
  * your own where some of these cannot be. */
-extern const struct mistake usual_mistakes[];
+extern const struct mistake tolerance_usual_mistakes[];
 
 /* The first mistake of a list with which every row agrees within the tolerance; NULL: none, or no
  * rows. Ask only when something is wrong: then the mistake explains it. */

@@ -45,7 +45,7 @@ static double nearest_of_segment(const double p[3], const double a[3], const dou
     return distance_of(p, nearest);
 }
 
-double point_triangle_distance(const double p[3], const double a[3], const double b[3],
+double distance_point_triangle(const double p[3], const double a[3], const double b[3],
                                const double c[3], double nearest[3])
 {
     const double *corner[3] = {a, b, c};
@@ -87,7 +87,7 @@ static double distance_to(const struct triangle_tree *tree, int32_t triangle, co
     for (int c = 0; c < 3; c++)
         for (int axis = 0; axis < 3; axis++)
             corner[c][axis] = (double)corner_of(tree->mesh, triangle, c)[axis];
-    return point_triangle_distance(p, corner[0], corner[1], corner[2], NULL);
+    return distance_point_triangle(p, corner[0], corner[1], corner[2], NULL);
 }
 
 /* -------------------------------------------------------------------------------------- building

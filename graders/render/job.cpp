@@ -75,6 +75,7 @@ sheet_job read_sheet(const json_t *both, const std::string &language,
     sheet_job one;
     json_t *json = json_deep_copy(both);
     choose_language(json, language);
+    one.content.language = language;
     one.content.title = string_at(json, "title");
     one.content.subtitle = string_at(json, "subtitle");
     one.content.columns = bounded_at(json, "columns", one.content.columns, 1, 100);

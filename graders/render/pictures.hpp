@@ -35,6 +35,7 @@ struct sheet_cell {
 };
 
 struct sheet {
+    std::string language; /* of our own words in it */
     std::string title, subtitle;
     int columns = 3;
     std::vector<sheet_cell> cells;

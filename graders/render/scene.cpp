@@ -42,7 +42,7 @@ std::vector<vec3> points_at(const json_t *json, int64_t count)
     return points;
 }
 
-void read_mesh(const json_t *json, scene_mesh &mesh)
+void mesh_file_read(const json_t *json, scene_mesh &mesh)
 {
     int64_t vertices = integer_at(json, "vertex_count", vertex_limit, "number of vertices");
     int64_t count = integer_at(json, "triangle_count", triangle_limit, "number of triangles");
@@ -225,7 +225,7 @@ void read_mesh_parts(const json_t *json, scene &out)
 {
     out.cut = json_is_true(json_object_get(json, "cut"));
     if (const json_t *mesh = json_object_get(json, "mesh"))
-        read_mesh(mesh, out.mesh);
+        mesh_file_read(mesh, out.mesh);
     if (const json_t *polygons = json_object_get(json, "polygons"))
         read_polygons(polygons, out);
     read_marks(json, out);

@@ -64,8 +64,10 @@ image draw_page(const sheet &from, const grid &g, size_t shown)
         const font title = {22 * pixel, weight::semibold, palette::ink};
         const font subtitle = {14 * pixel, weight::regular, palette::grey_ink};
         double room = page.width() - 2 * margin * pixel;
+        bool spanish = from.language == "es";
         std::string more = shown < from.cells.size()
-                               ? "   the first " + std::to_string(shown) + " of " +
+                               ? (spanish ? "   las primeras " : "   the first ") +
+                                     std::to_string(shown) + (spanish ? " de " : " of ") +
                                      std::to_string(from.cells.size())
                                : "";
         page.text({margin * pixel, 38 * pixel}, page.fitting(from.title, title, room), title);
@@ -77,7 +79,8 @@ image draw_page(const sheet &from, const grid &g, size_t shown)
             page.rectangle({corner.x - pixel, corner.y - pixel}, width + 2 * pixel,
                            height + 2 * pixel, {208, 214, 224});
             page.rectangle(corner, width, height, {228, 232, 239});
-            page.text({corner.x + width / 2, corner.y + height / 2}, "no picture",
+            page.text({corner.x + width / 2, corner.y + height / 2},
+                      spanish ? "sin imagen" : "no picture",
                       {13 * pixel, weight::regular, palette::pale_ink}, align::centre);
             draw_caption(page, {corner.x, corner.y + height}, from.cells[i].caption, width, pixel);
         }

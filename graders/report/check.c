@@ -28,7 +28,7 @@ enum kind {
     ANY_VERDICT, /* also not-measured and not-reached */
     STRINGS,     /* a list of strings */
     NUMBERS,     /* a list of numbers from 0 on */
-    REASONS,     /* an object of strings */
+    REASONS,     /* an object of words, or of strings */
     RECORD,      /* an object with the fields of `record` */
     RECORDS      /* a list of them */
 };
@@ -141,7 +141,7 @@ static const struct field protections_fields[] = {
     {"active", STRINGS, REQUIRED, NULL}, {"inactive", REASONS, REQUIRED, NULL}, {0}};
 
 static const struct field not_measured_fields[] = {
-    {"name", STRING, REQUIRED, NULL}, {"reason", STRING, REQUIRED, NULL}, {0}};
+    {"name", WORDS_OR_STRING, REQUIRED, NULL}, {"reason", WORDS_OR_STRING, REQUIRED, NULL}, {0}};
 
 static const struct field uploaded_fields[] = {{"name", STRING, REQUIRED, NULL},
                                                {"bytes", COUNT, REQUIRED, NULL},
@@ -269,33 +269,41 @@ static int check_list(const json_t *list, enum kind kind, const char *place, str
     return 0;
 }
 
-static int check_strings_of(const json_t *object, const char *place, struct error *err)
+static int check_record_at(const json_t *object, const struct field *record, const char *place,
+                           struct error *err);
+
+static int check_words(const json_t *value, const char *place, struct error *err)
+{
+    return json_is_string(value) ? 0 : check_record_at(value, words_fields, place, err);
+}
+
+static int check_reasons(const json_t *object, const char *place, struct error *err)
 {
     if (!json_is_object(object))
         return expected(place, "an object", object, err);
     json_t *changeable = (json_t *)(uintptr_t)object; /* jansson's iterators only read it */
-    for (void *at = json_object_iter(changeable); at; at = json_object_iter_next(changeable, at))
-        if (!json_is_string(json_object_iter_value(at)))
-            return expected(place, "an object of strings", json_object_iter_value(at), err);
+    for (void *at = json_object_iter(changeable); at; at = json_object_iter_next(changeable, at)) {
+        char inner[PLACE_BYTES];
+        snprintf(inner, sizeof inner, "%.80s.%.60s", place, json_object_iter_key(at));
+        if (check_words(json_object_iter_value(at), inner, err) != 0)
+            return -1;
+    }
     return 0;
 }
-
-static int check_record_at(const json_t *object, const struct field *record, const char *place,
-                           struct error *err);
 
 static int check_field(const json_t *value, const struct field *field, const char *place,
                        struct error *err)
 {
     switch (field->kind) {
     case WORDS_OR_STRING:
-        return json_is_string(value) ? 0 : check_record_at(value, words_fields, place, err);
+        return check_words(value, place, err);
     case WORDS:
         return check_record_at(value, words_fields, place, err);
     case STRINGS:
     case NUMBERS:
         return check_list(value, field->kind, place, err);
     case REASONS:
-        return check_strings_of(value, place, err);
+        return check_reasons(value, place, err);
     case RECORD:
         return check_record_at(value, field->record, place, err);
     case RECORDS:

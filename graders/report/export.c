@@ -99,7 +99,7 @@ int report_export(const char *out, const char *format, const struct export_selec
         return -1;
     struct export_job job = {.book = &book,
                              .one_student = selection->student != NULL,
-                             .spanish = selection->spanish,
+                             .language = selection->language,
                              .to = to};
     int status = selection->student ? select_student(&book, selection->student, err) : 0;
     if (status == 0)

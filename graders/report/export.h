@@ -10,7 +10,7 @@
 struct export_job {
     const struct gradebook *book;
     bool one_student; /* a student was asked for by name */
-    bool spanish;
+    enum language language;
     FILE *to;
 };
 

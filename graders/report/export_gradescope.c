@@ -19,7 +19,7 @@ static json_t *clean_string(const char *text)
 }
 
 /* What a student reads below a class: the messages of its rejected cases. */
-static json_t *class_output(const json_t *result, const json_t *part, bool spanish)
+static json_t *class_output(const json_t *result, const json_t *part, enum language language)
 {
     char *text = NULL;
     size_t length = 0;
@@ -34,8 +34,8 @@ static json_t *class_output(const json_t *result, const json_t *part, bool spani
             words_standing(result_text(one, "verdict")) != STANDING_FAILED)
             continue;
         fprintf(to, "%s: %s\n", result_text(one, "name"),
-                words_choose(words_in(one, "message"), spanish));
-        const char *element = words_choose(words_in(one, "element"), spanish);
+                phrase_text(words_in(one, "message"), language));
+        const char *element = phrase_text(words_in(one, "element"), language);
         if (*element)
             fprintf(to, "  %s\n", element);
         fprintf(to, "  %s\n", result_text(one, "reproduce"));
@@ -73,10 +73,10 @@ static int add_parts(json_t *tests, const struct export_job *job, size_t exercis
         bool is_class = strcmp(key, "classes") == 0;
         snprintf(number, sizeof number, "%zu.%zu", exercise + 1, json_array_size(tests) + 1);
         snprintf(name, sizeof name, "%s: %s", result_text(result, "exercise"),
-                 words_choose(words_in(part, "title"), job->spanish));
+                 phrase_text(words_in(part, "title"), job->language));
         json_t *output = is_class
-                             ? class_output(result, part, job->spanish)
-                             : clean_string(words_choose(words_in(part, "message"), job->spanish));
+                             ? class_output(result, part, job->language)
+                             : clean_string(phrase_text(words_in(part, "message"), job->language));
         bool is_scored = result_standing(result) != STANDING_UNSCORED;
         if (!output ||
             json_array_append_new(tests, test_of(number, name, part, is_scored, output)) != 0)
@@ -97,8 +97,8 @@ static json_t *summary_of(const struct export_job *job, const struct student *st
         const json_t *result = student->results[e];
         if (result)
             fprintf(to, "%s: %s. %s\n", job->book->exercises[e].name,
-                    words_choose(words_verdict(result_text(result, "verdict")), job->spanish),
-                    words_choose(words_in(result, "summary"), job->spanish));
+                    phrase_text(words_verdict(result_text(result, "verdict")), job->language),
+                    phrase_text(words_in(result, "summary"), job->language));
     }
     json_t *output = fclose(to) == 0 ? clean_string(text) : NULL;
     free(text);

@@ -79,8 +79,8 @@ static void write_end(const struct export_job *job, const json_t *part, struct p
     if (strcmp(element, "skipped") != 0)
         put_attribute(job->to, "type", verdict);
     put_attribute(job->to, "message",
-                  *message.en ? words_choose(message, job->spanish)
-                              : words_choose(words_verdict(verdict), job->spanish));
+                  *message.en ? phrase_text(message, job->language)
+                              : phrase_text(words_verdict(verdict), job->language));
     fputc('>', job->to);
     if (*result_text(part, "reproduce"))
         put_json(job->to, json_object_get(part, "reproduce"), false);

@@ -41,7 +41,7 @@ static int put_json(FILE *to, const json_t *string)
 
 static int put_words(const struct export_job *job, struct phrase words)
 {
-    const char *text = words_choose(words, job->spanish);
+    const char *text = phrase_text(words, job->language);
     return *text ? put_lines(job->to, text, strlen(text)) : 0;
 }
 
@@ -53,9 +53,9 @@ static void put_title(const struct export_job *job, const json_t *result)
     words_of_points(result_number(result, "score"), score, sizeof score);
     words_of_points(result_number(result, "max_score"), max_score, sizeof max_score);
     fprintf(job->to, "-%s: %s (", result_text(result, "exercise"),
-            words_choose(words_verdict(result_text(result, "verdict")), job->spanish));
+            phrase_text(words_verdict(result_text(result, "verdict")), job->language));
     if (result_standing(result) == STANDING_UNSCORED)
-        fputs(job->spanish ? "sin nota)\n" : "not scored)\n", job->to);
+        fputs(phrase_text((struct phrase){"not scored)\n", "sin nota)\n"}, job->language), job->to);
     else
         fprintf(job->to, "%s / %s)\n", score, max_score);
 }
@@ -105,7 +105,8 @@ int export_vpl(const struct export_job *job, struct error *err)
         fprintf(job->to, "Grade :=>> %s\n", total);
     else
         fprintf(job->to, "Comment :=>> %s\n",
-                job->spanish ? "Sin nota: debe mirarlo una persona."
-                             : "Not scored: a person must look.");
+                phrase_text((struct phrase){"Not scored: a person must look.",
+                                            "Sin nota: debe mirarlo una persona."},
+                            job->language));
     return 0;
 }

@@ -1,6 +1,7 @@
 /* What the pages share; see page.h. */
 #include "graders/report/page.h"
 
+#include "graders/box/box.h"
 #include "graders/report/documents.h"
 #include "reference/base/plural.h"
 
@@ -222,11 +223,35 @@ void page_pictures_note(struct html *page, const struct page_context *context)
 
 /* ---------------------------------------------------------------- protections */
 
-/* Counts in how many results each text stands: `counts` maps it to a number. */
-static void count(json_t *counts, const char *text)
+/* Counts in how many results each text stands: `counts` maps its English words to {es, count}. */
+static void count(json_t *counts, struct phrase text)
 {
-    json_object_set_new(counts, text,
-                        json_integer(json_integer_value(json_object_get(counts, text)) + 1));
+    json_t *entry = json_object_get(counts, text.en);
+    if (!entry) {
+        entry = json_pack("{s:s, s:i}", "es", text.es, "count", 0);
+        json_object_set_new(counts, text.en, entry);
+    }
+    json_int_t before = json_integer_value(json_object_get(entry, "count"));
+    json_object_set_new(entry, "count", json_integer(before + 1));
+}
+
+/* "name: reason" */
+static void count_reason(json_t *counts, struct phrase name, struct phrase reason)
+{
+    struct message text;
+    message_clear(&text);
+    message_en(&text, "%s: %s", name.en, reason.en);
+    message_es(&text, "%s: %s", name.es, reason.es);
+    count(counts, message_phrase(&text));
+}
+
+/* A layer that this version does not know stands by its name. */
+static struct phrase layer_title(const char *name)
+{
+    for (int layer = 0; layer < BOX_LAYER_COUNT; layer++)
+        if (strcmp(box_layer_name((enum box_layer)layer), name) == 0)
+            return box_layer_title((enum box_layer)layer);
+    return (struct phrase){name, name};
 }
 
 static void count_of_result(const json_t *result, json_t *active, json_t *inactive, json_t *missing)
@@ -234,22 +259,19 @@ static void count_of_result(const json_t *result, json_t *active, json_t *inacti
     const json_t *protections = json_object_get(result, "protections");
     size_t i;
     json_t *value;
-    char text[600];
     json_array_foreach(json_object_get(protections, "active"), i, value)
     {
-        count(active, json_string_value(value));
+        count(active, layer_title(json_string_value(value)));
     }
     const char *layer;
-    json_object_foreach(json_object_get(protections, "inactive"), layer, value)
+    json_t *reasons = json_object_get(protections, "inactive");
+    json_object_foreach(reasons, layer, value)
     {
-        snprintf(text, sizeof text, "%s: %s", layer, json_string_value(value));
-        count(inactive, text);
+        count_reason(inactive, layer_title(layer), words_in(reasons, layer));
     }
     json_array_foreach(json_object_get(result, "not_measured"), i, value)
     {
-        snprintf(text, sizeof text, "%s: %s", result_text(value, "name"),
-                 result_text(value, "reason"));
-        count(missing, text);
+        count_reason(missing, words_in(value, "name"), words_in(value, "reason"));
     }
 }
 
@@ -259,18 +281,18 @@ static void write_count_list(struct html *page, json_t *counts, size_t total)
         return;
     html_open(page, "ul");
     html_attribute(page, "class", "facts");
-    const char *text;
-    json_t *number;
-    json_object_foreach(counts, text, number)
+    const char *en;
+    json_t *entry;
+    json_object_foreach(counts, en, entry)
     {
+        long long number = json_integer_value(json_object_get(entry, "count"));
         html_open(page, "li");
-        html_text(page, text);
-        if ((size_t)json_integer_value(number) < total) {
-            char en[64];
-            char es[64];
-            snprintf(en, sizeof en, " (%lld of %zu results)", json_integer_value(number), total);
-            snprintf(es, sizeof es, " (%lld de %zu resultados)", json_integer_value(number), total);
-            html_both(page, (struct phrase){en, es});
+        html_both(page, (struct phrase){en, result_text(entry, "es")});
+        if ((size_t)number < total) {
+            struct message share;
+            message_say(&share, " (%lld of %zu results)", " (%lld de %zu resultados)", number,
+                        total);
+            html_both(page, message_phrase(&share));
         }
         html_close(page, "li");
     }

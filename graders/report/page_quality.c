@@ -79,12 +79,11 @@ static void write_band(struct html *page, const json_t *band, bool less, double 
 
 static void write_sentence(struct html *page, const json_t *quality)
 {
-    char en[WORDS_QUALITY_BYTES], es[WORDS_QUALITY_BYTES];
-    words_of_quality(quality, false, en);
-    words_of_quality(quality, true, es);
+    struct message text;
+    words_of_quality(quality, &text);
     html_open(page, "p");
     html_both(page, (struct phrase){"At worst: ", "En el peor caso: "});
-    html_both(page, (struct phrase){en, es});
+    html_both(page, message_phrase(&text));
     html_close(page, "p");
 }
 

@@ -120,12 +120,10 @@ static void write_classes(struct html *page, const json_t *result)
                        (struct phrase){"Cases", "Casos"});
     json_array_foreach(json_object_get(result, "classes"), i, part)
     {
-        char en[80];
-        char es[80];
-        result_class_tally(result, part, false, en, sizeof en);
-        result_class_tally(result, part, true, es, sizeof es);
+        struct message tally;
+        result_class_tally(result, part, &tally);
         write_row_head(page, result_class_standing(result, part), words_in(part, "title"));
-        html_both_leaf(page, "td", NULL, (struct phrase){en, es});
+        html_both_leaf(page, "td", NULL, message_phrase(&tally));
         write_points(page, result_number(part, "points"), result_number(part, "max_points"));
         html_close(page, "tr");
     }

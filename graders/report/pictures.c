@@ -26,8 +26,7 @@ enum {
     SHEET_CELLS = 24,
     SHEET_COLUMNS = 3,
     USELESS_LIMIT = 2,
-    WORKERS_MAX = 16,
-    REASON_BYTES = 400
+    WORKERS_MAX = 16
 };
 
 struct drawing {
@@ -52,10 +51,19 @@ static bool is_up_to_date(const char *made, const char *from)
 
 /* ---------------------------------------------------------------- scenes of charts */
 
-/* Whether a scene, "<case>.json", is one of the charts written here. */
+/* What the scene "<case>.json" shows when it is one of the charts written here; else no text. */
+static struct phrase chart_noun(const char *file)
+{
+    if (strcmp(file, "growth.json") == 0)
+        return (struct phrase){"growth", "crecimiento"};
+    if (strcmp(file, "memory.json") == 0)
+        return (struct phrase){"memory", "memoria"};
+    return (struct phrase){NULL, NULL};
+}
+
 static bool is_chart(const char *file)
 {
-    return strcmp(file, "growth.json") == 0 || strcmp(file, "memory.json") == 0;
+    return chart_noun(file).en != NULL;
 }
 
 static int write_chart(const char *out, const json_t *result, const char *name, json_t *scene,
@@ -213,15 +221,18 @@ static int job_add_folder(struct job *job, const char *out, const json_t *result
     char **scenes = document_list(path, ".json", err);
     int status = scenes ? 0 : -1;
     for (size_t i = 0; status == 0 && scenes[i]; i++) {
-        char caption[300];
+        struct message caption;
         size_t length = strlen(scenes[i]) - strlen(".json");
         if (part_of(result, scenes, i) != part)
             continue;
-        snprintf(caption, sizeof caption, "%s: %.*s", exercise, (int)length, scenes[i]);
+        message_say(&caption, "%s: ", "%s: ", exercise);
+        if (part == CHARTS)
+            message_add_phrase(&caption, chart_noun(scenes[i]));
+        else
+            message_add(&caption, "%.*s", "%.*s", (int)length, scenes[i]);
         status = document_path(path, err, "%s/%s/%.*s", student, exercise, (int)length, scenes[i]);
         if (status == 0)
-            status = job_add_scene(job, out, path, (struct phrase){caption, caption},
-                                   part == CHARTS, err);
+            status = job_add_scene(job, out, path, message_phrase(&caption), part == CHARTS, err);
     }
     free(scenes);
     return status;
@@ -314,7 +325,7 @@ static int draw_student(struct drawing *drawing, const struct gradebook *book,
 struct share {
     int status, drawn;
     size_t undrawn;
-    char reason[REASON_BYTES], reason_es[REASON_BYTES];
+    struct message reason;
     struct error err;
 };
 
@@ -327,10 +338,8 @@ _Noreturn static void draw_share(struct drawing *drawing, const struct gradebook
         share.status = draw_student(drawing, book, &book->students[s], &share.err);
     share.drawn = drawing->drawn;
     share.undrawn = drawing->undrawn;
-    if (drawing->reason.en) {
-        snprintf(share.reason, sizeof share.reason, "%s", drawing->reason.en);
-        snprintf(share.reason_es, sizeof share.reason_es, "%s", drawing->reason.es);
-    }
+    if (drawing->reason.en)
+        message_set_phrase(&share.reason, drawing->reason);
     _exit(write(to, &share, sizeof share) == (ssize_t)sizeof share ? 0 : 1);
 }
 
@@ -343,9 +352,9 @@ static int add_share(struct drawing *drawing, int from, struct error *err)
     if (share.status != 0)
         return error_set(err, "%s", share.err.text);
     drawing->drawn += share.drawn;
-    if (share.reason[0] && !drawing->reason.en)
+    if (share.reason.en[0] && !drawing->reason.en)
         told = share;
-    note_undrawn(drawing, share.undrawn, (struct phrase){told.reason, told.reason_es});
+    note_undrawn(drawing, share.undrawn, message_phrase(&told.reason));
     return 0;
 }
 

@@ -5,6 +5,7 @@
 #define GRADERS_REPORT_REPORT_H
 
 #include "reference/base/error.h"
+#include "reference/base/phrase.h"
 
 #include <jansson.h>
 #include <stdbool.h>
@@ -39,8 +40,8 @@ void report_pictures_reason(const char *out, char *text, size_t capacity);
 int report_pages(const char *out, const char *root, struct error *err) MUST_CHECK;
 
 struct export_selection {
-    const char *student; /* name or folder; NULL: every student */
-    bool spanish;        /* texts in Spanish, else in English */
+    const char *student;    /* name or folder; NULL: every student */
+    enum language language; /* of the texts */
 };
 
 /* Writes the results in a format to `to`.

@@ -73,19 +73,16 @@ enum standing result_class_standing(const json_t *result, const json_t *class_en
     return tally_of(result, class_entry).run <= 0 ? STANDING_ABSENT : STANDING_FAILED;
 }
 
-void result_class_tally(const json_t *result, const json_t *class_entry, bool spanish, char *text,
-                        size_t capacity)
+void result_class_tally(const json_t *result, const json_t *class_entry, struct message *tally)
 {
-    struct tally tally = tally_of(result, class_entry);
-    const char *not_run = spanish ? "sin ejecutar" : "not run";
-    const char *of = spanish ? "de" : "of";
-    if (tally.run <= 0)
-        snprintf(text, capacity, "%s", not_run);
-    else if (tally.run < tally.cases)
-        snprintf(text, capacity, "%lld %s %lld, %lld %s", tally.passed, of, tally.run,
-                 tally.cases - tally.run, not_run);
+    struct tally cases = tally_of(result, class_entry);
+    if (cases.run <= 0)
+        message_set_phrase(tally, (struct phrase){"not run", "sin ejecutar"});
+    else if (cases.run < cases.cases)
+        message_say(tally, "%lld of %lld, %lld not run", "%lld de %lld, %lld sin ejecutar",
+                    cases.passed, cases.run, cases.cases - cases.run);
     else
-        snprintf(text, capacity, "%lld %s %lld", tally.passed, of, tally.cases);
+        message_say(tally, "%lld of %lld", "%lld de %lld", cases.passed, cases.cases);
 }
 
 /* ---------------------------------------------------------------- the files */

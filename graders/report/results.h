@@ -60,10 +60,8 @@ struct not_run result_not_run(const json_t *result, const char *class_name);
 /* The standing of a class, an entry of the result's classes: absent when no case of it was run. */
 enum standing result_class_standing(const json_t *result, const json_t *class_entry);
 
-/* How many of the class's cases passed: "3 of 4", "0 of 2, 2 not run", "not run". Writes at most
- * `capacity` bytes. */
-void result_class_tally(const json_t *result, const json_t *class_entry, bool spanish, char *text,
-                        size_t capacity);
+/* How many of the class's cases passed: "3 of 4", "0 of 2, 2 not run", "not run". */
+void result_class_tally(const json_t *result, const json_t *class_entry, struct message *tally);
 
 /* A string of an object, borrowed; "" when it is not there. Not for untrusted text with NUL. */
 const char *result_text(const json_t *object, const char *key);

@@ -56,19 +56,21 @@ static void put_where(FILE *to, const json_t *result, const struct terminal_styl
     const json_t *one = telling_case(result);
     const json_t *check = telling_check(result);
     char place[700];
-    const char *element = words_choose(words_in(one, "element"), style->spanish);
+    const char *element = phrase_text(words_in(one, "element"), style->language);
     if (one)
         snprintf(place, sizeof place, "%s%s%s %s (%s)", element, *element ? ", " : "",
-                 style->spanish ? "caso" : "case", result_text(one, "name"),
-                 words_choose(class_title(result, result_text(one, "class")), style->spanish));
+                 phrase_text((struct phrase){"case", "caso"}, style->language),
+                 result_text(one, "name"),
+                 phrase_text(class_title(result, result_text(one, "class")), style->language));
     else if (strcmp(result_text(result, "verdict"), "compile-error") == 0)
         diagnostics_telling_line(result_text(json_object_get(result, "build"), "diagnostics"),
                                  place, sizeof place);
     else
         snprintf(place, sizeof place, "%s",
-                 words_choose(check ? words_in(check, "title") : words_in(result, "title"),
-                              style->spanish));
-    terminal_line(to, style->spanish ? "  dónde   " : "  where   ", place, TERMINAL_COLUMNS);
+                 phrase_text(check ? words_in(check, "title") : words_in(result, "title"),
+                             style->language));
+    terminal_line(to, phrase_text((struct phrase){"  where   ", "  dónde   "}, style->language),
+                  place, TERMINAL_COLUMNS);
 }
 
 static void put_again(FILE *to, const json_t *result, const struct terminal_style *style)
@@ -81,7 +83,8 @@ static void put_again(FILE *to, const json_t *result, const struct terminal_styl
         snprintf(command, sizeof command, "meshgrade check %s FILE...",
                  result_text(result, "exercise"));
     /* Never cut: it is there to be copied. */
-    terminal_line(to, style->spanish ? "  repetir " : "  again   ", command, sizeof command);
+    terminal_line(to, phrase_text((struct phrase){"  again   ", "  repetir "}, style->language),
+                  command, sizeof command);
 }
 
 /* What is wrong, in one line: the verdict and the first sentence, or the sentence alone when both
@@ -95,7 +98,7 @@ static bool put_what(FILE *to, const char *verdict, const char *message,
     size_t length = terminal_sentence(message);
     snprintf(sentence, sizeof sentence, "%.*s", (int)length, message);
     snprintf(start, sizeof start, "%s %s: ", words_symbol(standing),
-             words_choose(words_verdict(verdict), style->spanish));
+             phrase_text(words_verdict(verdict), style->language));
     if (clean_columns(start) + clean_columns(sentence) > TERMINAL_COLUMNS)
         snprintf(start, sizeof start, "%s ", words_symbol(standing));
     terminal_colour(to, style, standing);
@@ -109,9 +112,9 @@ static void put_head(FILE *to, const json_t *result, const struct terminal_style
     const char *verdict = result_text(result, "verdict");
     const json_t *one = telling_case(result);
     const char *message =
-        words_choose(words_in(one ? one : result, one ? "message" : "summary"), style->spanish);
+        phrase_text(words_in(one ? one : result, one ? "message" : "summary"), style->language);
     if (!*message)
-        message = words_choose(words_in(result, "summary"), style->spanish);
+        message = phrase_text(words_in(result, "summary"), style->language);
     bool told = put_what(to, verdict, message, style);
     if (words_standing(verdict) == STANDING_PASSED)
         return;
@@ -140,7 +143,7 @@ static void put_row(FILE *to, const struct terminal_style *style, enum standing 
     fputs(words_symbol(standing), to);
     terminal_plain(to, style);
     fputc(' ', to);
-    terminal_cell(to, words_choose(title, style->spanish), 37, false);
+    terminal_cell(to, phrase_text(title, style->language), 37, false);
     fputs("  ", to);
     terminal_cell(to, middle, 23, false);
     fputs("  ", to);
@@ -163,36 +166,31 @@ static void put_points(FILE *to, const json_t *result, const struct terminal_sty
     json_t *part;
     json_array_foreach(json_object_get(result, "classes"), i, part)
     {
-        char tally[64];
-        char middle[80];
+        struct message tally;
         long long cases = json_integer_value(json_object_get(part, "cases"));
-        size_t left_out = result_not_run(result, result_text(part, "name")).count;
-        result_class_tally(result, part, style->spanish, tally, sizeof tally);
-        snprintf(middle, sizeof middle, "%s%s%s", tally,
-                 cases == 0 || left_out > 0 ? ""
-                 : style->spanish           ? " caso"
-                                            : " case",
-                 cases == 0 || left_out > 0 ? "" : plural_ending(cases));
-        put_row(to, style, result_class_standing(result, part), words_in(part, "title"), middle,
-                part);
+        result_class_tally(result, part, &tally);
+        if (cases > 0 && result_not_run(result, result_text(part, "name")).count == 0)
+            message_add(&tally, " case%s", " caso%s", plural_ending(cases));
+        put_row(to, style, result_class_standing(result, part), words_in(part, "title"),
+                message_text(&tally, style->language), part);
     }
     json_array_foreach(json_object_get(result, "checks"), i, part)
     {
         put_row(to, style, standing_of_check(part), words_in(part, "title"),
-                words_choose(words_verdict(result_text(part, "verdict")), style->spanish), part);
+                phrase_text(words_verdict(result_text(part, "verdict")), style->language), part);
     }
 }
 
 static void put_quality(FILE *to, const json_t *result, const struct terminal_style *style)
 {
     const json_t *quality = json_object_get(json_object_get(result, "measures"), "quality");
-    char measured[WORDS_QUALITY_BYTES];
-    char line[WORDS_QUALITY_BYTES + 16];
+    struct message measured, line;
     if (!quality)
         return;
-    words_of_quality(quality, style->spanish, measured);
-    snprintf(line, sizeof line, "%s: %s", style->spanish ? "calidad" : "quality", measured);
-    terminal_paragraph(to, "  ", line);
+    words_of_quality(quality, &measured);
+    message_set_phrase(&line, (struct phrase){"quality: ", "calidad: "});
+    message_add_phrase(&line, message_phrase(&measured));
+    terminal_paragraph(to, "  ", message_text(&line, style->language));
 }
 
 static void put_score(FILE *to, const json_t *result, const struct terminal_style *style)
@@ -200,9 +198,10 @@ static void put_score(FILE *to, const json_t *result, const struct terminal_styl
     char title[300];
     char points[80];
     snprintf(title, sizeof title, "%s %s", result_text(result, "problem"),
-             words_choose(words_in(result, "title"), style->spanish));
+             phrase_text(words_in(result, "title"), style->language));
     if (result_standing(result) == STANDING_UNSCORED) {
-        snprintf(points, sizeof points, "%s", style->spanish ? "sin nota" : "not scored");
+        snprintf(points, sizeof points, "%s",
+                 phrase_text((struct phrase){"not scored", "sin nota"}, style->language));
     } else {
         char given[32];
         char possible[32];
@@ -246,7 +245,7 @@ static void put_check_messages(FILE *to, const json_t *result, const struct term
     const json_t *told = telling_case(result) ? NULL : telling_check(result);
     json_array_foreach(json_object_get(result, "checks"), i, check)
     {
-        const char *message = words_choose(words_in(check, "message"), style->spanish);
+        const char *message = phrase_text(words_in(check, "message"), style->language);
         if (check == told || !tells_why(check) || strcmp(message, last) == 0)
             continue;
         fputs(*last ? "" : "\n", to);
@@ -267,18 +266,24 @@ static void put_other_cases(FILE *to, const json_t *result, const struct termina
         if (one == told || words_standing(result_text(one, "verdict")) != STANDING_FAILED)
             continue;
         if (count == 0)
-            fputs(style->spanish ? "\nOtros casos rechazados\n" : "\nOther rejected cases\n", to);
+            fputs(phrase_text(
+                      (struct phrase){"\nOther rejected cases\n", "\nOtros casos rechazados\n"},
+                      style->language),
+                  to);
         if (count++ >= SHOWN)
             continue;
         char start[200];
         char sentence[700];
-        const char *message = words_choose(words_in(one, "message"), style->spanish);
+        const char *message = phrase_text(words_in(one, "message"), style->language);
         snprintf(start, sizeof start, "  %s: ", result_text(one, "name"));
         snprintf(sentence, sizeof sentence, "%.*s", (int)terminal_sentence(message), message);
         terminal_line(to, start, sentence, TERMINAL_COLUMNS);
     }
-    if (count > SHOWN)
-        fprintf(to, style->spanish ? "  y %zu más\n" : "  and %zu more\n", count - SHOWN);
+    if (count > SHOWN) {
+        struct message more;
+        message_say(&more, "and %zu more", "y %zu más", count - SHOWN);
+        fprintf(to, "  %s\n", message_text(&more, style->language));
+    }
 }
 
 static void put_diagnostics(FILE *to, const json_t *result, const struct terminal_style *style)
@@ -287,7 +292,10 @@ static void put_diagnostics(FILE *to, const json_t *result, const struct termina
     const json_t *diagnostics = json_object_get(build, "diagnostics");
     if (json_is_true(json_object_get(build, "ok")) || json_string_length(diagnostics) == 0)
         return;
-    fputs(style->spanish ? "\nLo que dijo el compilador\n" : "\nWhat the compiler said\n", to);
+    fputs(
+        phrase_text((struct phrase){"\nWhat the compiler said\n", "\nLo que dijo el compilador\n"},
+                    style->language),
+        to);
     terminal_block(to, "  ", diagnostics, 12);
 }
 
@@ -298,7 +306,7 @@ static void put_not_run(FILE *to, const json_t *result, const struct terminal_st
     if (not_run.count == 0)
         return;
     fputc('\n', to);
-    terminal_paragraph(to, "  ", words_choose(not_run.reason, style->spanish));
+    terminal_paragraph(to, "  ", phrase_text(not_run.reason, style->language));
 }
 
 static void put_not_measured(FILE *to, const json_t *result, const struct terminal_style *style)
@@ -307,11 +315,13 @@ static void put_not_measured(FILE *to, const json_t *result, const struct termin
     json_t *probe;
     json_array_foreach(json_object_get(result, "not_measured"), i, probe)
     {
-        char text[600];
-        snprintf(text, sizeof text, "%s: %s: %s", style->spanish ? "No medido" : "Not measured",
-                 result_text(probe, "name"), result_text(probe, "reason"));
+        struct phrase name = words_in(probe, "name"), reason = words_in(probe, "reason");
+        struct message text;
+        message_clear(&text);
+        message_en(&text, "Not measured: %s: %s", name.en, reason.en);
+        message_es(&text, "No medido: %s: %s", name.es, reason.es);
         fputs(i == 0 ? "\n" : "", to);
-        terminal_paragraph(to, "  ", text);
+        terminal_paragraph(to, "  ", message_text(&text, style->language));
     }
 }
 

@@ -3,13 +3,15 @@
 #ifndef GRADERS_REPORT_TERMINAL_H
 #define GRADERS_REPORT_TERMINAL_H
 
+#include "reference/base/phrase.h"
+
 #include <jansson.h>
 #include <stdbool.h>
 #include <stdio.h>
 
 struct terminal_style {
-    bool colour;  /* escape sequences for colour may be written */
-    bool spanish; /* else English */
+    bool colour; /* escape sequences for colour may be written */
+    enum language language;
 };
 
 /* One result, for `meshgrade check`. Where something is wrong the first three lines say what, where

@@ -66,9 +66,9 @@ static const char *short_name(const struct gradebook *book, size_t exercise, cha
 
 /* The header: short names, and where there is room the names below them. */
 static void put_header(FILE *to, const struct gradebook *book, const struct block *block,
-                       bool spanish)
+                       enum language language)
 {
-    const char *student = spanish ? "estudiante" : "student";
+    const char *student = phrase_text((struct phrase){"student", "estudiante"}, language);
     bool named = block->width >= NAMED_COLUMNS;
     char text[32];
     if (named) {
@@ -146,20 +146,18 @@ static void put_names(FILE *to, const struct gradebook *book)
     fputs(column > 0 ? "\n" : "", to);
 }
 
-static void put_key(FILE *to, const struct gradebook *book, bool spanish)
+static void put_key(FILE *to, const struct gradebook *book, enum language language)
 {
     char points[32];
     words_of_points(book->max_score, points, sizeof points);
-    if (spanish)
-        fprintf(to,
-                "\nmáximo %s. ✓ nota máxima  ◐ algunos puntos  ✗ ninguno\n"
+    struct message key;
+    message_say(&key,
+                "maximum %s. ✓ full marks  ◐ some points  ✗ none\n"
+                "! a person must look  – nothing submitted\n",
+                "máximo %s. ✓ nota máxima  ◐ algunos puntos  ✗ ninguno\n"
                 "! debe mirarlo una persona  – no entregado\n",
                 points);
-    else
-        fprintf(to,
-                "\nmaximum %s. ✓ full marks  ◐ some points  ✗ none\n"
-                "! a person must look  – nothing submitted\n",
-                points);
+    fprintf(to, "\n%s", message_text(&key, language));
 }
 
 void terminal_print_marks(FILE *to, const json_t *results, const struct terminal_style *style)
@@ -175,12 +173,12 @@ void terminal_print_marks(FILE *to, const json_t *results, const struct terminal
     for (size_t i = 0; i < blocks; i++) {
         struct block block = choose_block(&book, i);
         fputs(i > 0 ? "\n" : "", to);
-        put_header(to, &book, &block, style->spanish);
+        put_header(to, &book, &block, style->language);
         for (size_t s = 0; s < book.student_count; s++)
             put_student(to, &book.students[s], &block, style);
     }
     if (choose_block(&book, 0).width < NAMED_COLUMNS)
         put_names(to, &book);
-    put_key(to, &book, style->spanish);
+    put_key(to, &book, style->language);
     gradebook_release(&book);
 }

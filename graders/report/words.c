@@ -56,11 +56,6 @@ struct phrase words_in(const json_t *object, const char *key)
     return (struct phrase){en ? en : "", es ? es : ""};
 }
 
-const char *words_choose(struct phrase phrase, bool spanish)
-{
-    return phrase_text(phrase, spanish ? LANGUAGE_ES : LANGUAGE_EN);
-}
-
 struct phrase words_cause(const json_t *part, char *room, size_t capacity)
 {
     const char *slug = json_string_value(json_object_get(part, "cause"));
@@ -103,24 +98,28 @@ static double nearest_limit(const json_t *bands, double value)
     return nearest;
 }
 
-void words_of_quality(const json_t *quality, bool spanish, char text[WORDS_QUALITY_BYTES])
+void words_of_quality(const json_t *quality, struct message *text)
 {
     const json_t *bands = json_object_get(quality, "bands");
-    const char *name = words_choose(words_in(quality, "name"), spanish);
-    const char *unit = words_choose(words_in(quality, "unit"), spanish);
+    struct phrase name = words_in(quality, "name"), unit = words_in(quality, "unit");
     double worst = json_number_value(json_object_get(quality, "worst"));
     char number[DECIMAL_BYTES];
     decimal_write(worst, nearest_limit(bands, worst), number);
-    if (*unit)
-        snprintf(text, WORDS_QUALITY_BYTES, "%.80s %s %.80s", name, number, unit);
-    else
-        snprintf(text, WORDS_QUALITY_BYTES, "%s %.80s", number, name);
+    message_clear(text);
+    if (*unit.en) {
+        message_en(text, "%.80s %s %.80s", name.en, number, unit.en);
+        message_es(text, "%.80s %s %.80s", name.es, number, unit.es);
+    } else {
+        message_en(text, "%s %.80s", number, name.en);
+        message_es(text, "%s %.80s", number, name.es);
+    }
     for (size_t i = 0; i < json_array_size(bands); i++) {
-        size_t length = strlen(text);
+        const char *begin = i == 0 ? " (" : ", ";
+        const char *end = i + 1 == json_array_size(bands) ? ")" : "";
+        struct phrase band = words_in(json_array_get(bands, i), "name");
         decimal_write(limit_of(bands, i), worst, number);
-        snprintf(text + length, WORDS_QUALITY_BYTES - length, "%s%.40s %s%s", i == 0 ? " (" : ", ",
-                 words_choose(words_in(json_array_get(bands, i), "name"), spanish), number,
-                 i + 1 == json_array_size(bands) ? ")" : "");
+        message_en(text, "%s%.40s %s%s", begin, band.en, number, end);
+        message_es(text, "%s%.40s %s%s", begin, band.es, number, end);
     }
 }
 

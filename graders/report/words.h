@@ -12,8 +12,6 @@
  * both. Both are empty when there is none. */
 struct phrase words_in(const json_t *object, const char *key);
 
-const char *words_choose(struct phrase phrase, bool spanish);
-
 /* "wrong answer" / "respuesta incorrecta" for "wrong-answer"; the verdicts are those of
  * graders/report/README.md, `not-measured` and `not-reached` included. */
 struct phrase words_verdict(const char *verdict);
@@ -35,8 +33,7 @@ struct phrase words_cause(const json_t *part, char *room, size_t capacity);
 void words_of_bytes(double bytes, char *text, size_t capacity);
 
 /* measures.quality in a line: "1.31 indices per triangle (fair 1.6, good 1.25)". */
-enum { WORDS_QUALITY_BYTES = 400 };
-void words_of_quality(const json_t *quality, bool spanish, char text[WORDS_QUALITY_BYTES]);
+void words_of_quality(const json_t *quality, struct message *text);
 
 /* Points without needless zeros: "10", "7.5", "0.25". Writes at most `capacity` bytes. */
 void words_of_points(double points, char *text, size_t capacity);

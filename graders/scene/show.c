@@ -7,7 +7,7 @@
 
 static const float FARTHEST = 1000;
 
-bool triangle_in_range(const int32_t *triangle, int64_t vertex_count)
+bool scene_triangle_in_range(const int32_t *triangle, int64_t vertex_count)
 {
     for (int i = 0; i < 3; i++)
         if (triangle[i] < 0 || triangle[i] >= vertex_count)
@@ -30,7 +30,7 @@ int show_mesh(struct scene *scene, const float *positions, int64_t vertex_count,
         mesh.positions[i] = drawable(positions[i]);
     int64_t kept = 0;
     for (int64_t t = 0; t < triangle_count; t++) {
-        if (!triangle_in_range(triangles + 3 * t, vertex_count))
+        if (!scene_triangle_in_range(triangles + 3 * t, vertex_count))
             continue;
         for (int64_t i = 0; i < 3; i++)
             mesh.triangles[3 * kept + i] = triangles[3 * t + i];

@@ -23,6 +23,6 @@ int show_strip(struct scene *scene, const float *positions, int64_t vertex_count
                struct error *err) MUST_CHECK;
 
 /* Whether all three indices of a triangle are in [0, vertex_count). */
-bool triangle_in_range(const int32_t *triangle, int64_t vertex_count);
+bool scene_triangle_in_range(const int32_t *triangle, int64_t vertex_count);
 
 #endif

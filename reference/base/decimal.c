@@ -14,8 +14,11 @@ static int whole_digits(double value)
     int digits = FEWEST_DIGITS;
     if (fabs(value) >= 1e16)
         return digits;
-    for (double bound = 1e4; fabs(value) >= bound; bound *= 10)
+    double bound = 1e4;
+    while (fabs(value) >= bound) {
         digits++;
+        bound *= 10;
+    }
     return digits;
 }
 

@@ -1,4 +1,4 @@
-/* The error object; see error.h. */
+/* The error object; see error.h, which has macros of these names for analyzers. */
 #include "reference/base/error.h"
 
 #include <stdarg.h>
@@ -14,7 +14,7 @@ __attribute__((format(printf, 3, 0))) static void set(struct error *err, bool is
     err->text[sizeof err->text - 1] = (char)is_request;
 }
 
-int error_set(struct error *err, const char *format, ...)
+int(error_set)(struct error *err, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -23,7 +23,7 @@ int error_set(struct error *err, const char *format, ...)
     return -1;
 }
 
-int error_set_request(struct error *err, const char *format, ...)
+int(error_set_request)(struct error *err, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);

@@ -13,7 +13,7 @@ static int resize(void **table, int64_t count, int64_t *capacity, int64_t wanted
     void *grown = realloc(*table, 12 * (size_t)wanted);
     if (!grown)
         return error_set(err, "out of memory: reading more than %lld %s", (long long)count, what);
-    prefer_huge_pages(grown, 12 * (size_t)wanted);
+    huge_pages_prefer(grown, 12 * (size_t)wanted);
     *table = grown;
     *capacity = wanted;
     return 0;

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <sys/mman.h>
 
-void prefer_huge_pages(void *memory, size_t byte_count)
+void huge_pages_prefer(void *memory, size_t byte_count)
 {
     const uintptr_t page = 4096, least = 4 << 20;
     uintptr_t start = ((uintptr_t)memory + page - 1) & ~(page - 1);

@@ -7,6 +7,6 @@
 
 /* Tells the kernel that the memory, fresh from malloc or realloc, is worth huge pages; of small
  * tables and where there are none nothing happens. It is freed as ever. */
-void prefer_huge_pages(void *memory, size_t byte_count);
+void huge_pages_prefer(void *memory, size_t byte_count);
 
 #endif

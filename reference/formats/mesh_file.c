@@ -74,7 +74,7 @@ static char *load(const char *path, size_t *byte_count, struct error *err)
         if (!bytes)
             error_set(err, "%s: out of memory for its %zu bytes", path, size);
         else
-            prefer_huge_pages(bytes, size);
+            huge_pages_prefer(bytes, size);
     }
     ssize_t got = 1;
     while (bytes && count < size && got > 0) {
@@ -92,7 +92,7 @@ static char *load(const char *path, size_t *byte_count, struct error *err)
     return bytes;
 }
 
-int read_mesh(const char *path, struct mesh *mesh, struct error *err)
+int mesh_file_read(const char *path, struct mesh *mesh, struct error *err)
 {
     *mesh = (struct mesh){0};
     const struct format *format = find_format(path, err);
@@ -105,7 +105,7 @@ int read_mesh(const char *path, struct mesh *mesh, struct error *err)
     return result;
 }
 
-int write_mesh(const char *path, const struct mesh *mesh, struct error *err)
+int mesh_file_write(const char *path, const struct mesh *mesh, struct error *err)
 {
     const struct format *format = find_format(path, err);
     if (!format)

@@ -9,10 +9,10 @@
  * path     a regular file, at most 8 GiB; anything else is refused without being read
  * returns  0, or -1 and *err, which names the file, the place in it and what is wrong; then the
  *          mesh is empty */
-int read_mesh(const char *path, struct mesh *mesh, struct error *err) MUST_CHECK;
+int mesh_file_read(const char *path, struct mesh *mesh, struct error *err) MUST_CHECK;
 
 /* Writes a valid mesh; .ply as little-endian binary. An existing file is replaced. Returns 0, or -1
  * and *err; then the file may be incomplete. */
-int write_mesh(const char *path, const struct mesh *mesh, struct error *err) MUST_CHECK;
+int mesh_file_write(const char *path, const struct mesh *mesh, struct error *err) MUST_CHECK;
 
 #endif

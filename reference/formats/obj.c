@@ -41,7 +41,7 @@ static int read_corner(struct reader *r, const struct token *corner, int64_t *ve
         int64_t value;
         if (part == 3)
             return scan_error(&r->scan, "corner \"%s\": at most two slashes expected",
-                              quote_token(corner).text);
+                              scan_quote(corner).text);
         if ((part == 0 || number.length > 0) && scan_integer(&r->scan, &number, what[part], &value))
             return -1;
         if (part == 0)
@@ -111,14 +111,14 @@ static bool is_known(const struct token *keyword)
         "sp",   "end",    "con",    "bevel",      "c_interp", "d_interp", "lod",  "call",
         "csh",  "ctech",  "stech",  "shadow_obj", "trace_obj"};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (token_is(keyword, known[i]))
+        if (scan_token_is(keyword, known[i]))
             return true;
     return false;
 }
 
 /* -- plain lines ------------------------------------------------------------------------------ */
 
-static int add_plain_face(struct reader *r, const struct plain_integers *row)
+static int add_plain_face(struct reader *r, const struct scan_plain_integers *row)
 {
     int64_t first, last, next;
     if (resolve(r, row->values[0], &first) || resolve(r, row->values[1], &last))
@@ -138,16 +138,16 @@ static int read_plain_lines(struct reader *r)
 {
     while (may_be_plain(&r->scan, 2)) {
         const char *line = r->scan.bytes + r->scan.at, *behind = NULL;
-        struct plain_floats floats;
-        struct plain_integers corners;
+        struct scan_plain_floats floats;
+        struct scan_plain_integers corners;
         int result = 0;
         if (line[0] == 'v' && line[1] == ' ') {
-            behind = plain_floats(&r->scan, 2, &floats);
+            behind = scan_plain_floats(&r->scan, 2, &floats);
             if (!behind || floats.count < 3)
                 return 0;
             result = growing_mesh_add_vertex(&r->mesh, floats.values, r->scan.err);
         } else if (line[0] == 'f' && line[1] == ' ') {
-            behind = plain_corners(&r->scan, 2, &corners);
+            behind = scan_plain_corners(&r->scan, 2, &corners);
             if (!behind || corners.count < 3)
                 return 0;
             result = add_plain_face(r, &corners);
@@ -171,13 +171,13 @@ static int read_statements(struct reader *r)
         if (!scan_find_token(&r->scan))
             break;
         scan_token(&r->scan, &keyword);
-        if (token_is(&keyword, "v"))
+        if (scan_token_is(&keyword, "v"))
             result = read_vertex(r);
-        else if (token_is(&keyword, "f") || token_is(&keyword, "fo"))
+        else if (scan_token_is(&keyword, "f") || scan_token_is(&keyword, "fo"))
             result = read_face(r);
         else if (!is_known(&keyword))
             result = scan_error(&r->scan, "\"%s\" is no statement of an OBJ file (v, f, vt, ...)",
-                                quote_token(&keyword).text);
+                                scan_quote(&keyword).text);
         if (result)
             return -1;
         scan_end_line(&r->scan);
@@ -212,7 +212,7 @@ int obj_write(FILE *out, const struct mesh *mesh, struct error *err)
     if (text_out_begin(&text, out, err))
         return -1;
     fprintf(out, "# written by meshgrade\n");
-    write_positions(out, "v ", mesh);
+    text_out_positions(out, "v ", mesh);
     for (int64_t t = 0; t < mesh->triangle_count; t++)
         fprintf(out, "f %d %d %d\n", mesh->triangles[3 * t] + 1, mesh->triangles[3 * t + 1] + 1,
                 mesh->triangles[3 * t + 2] + 1);

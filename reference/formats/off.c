@@ -35,16 +35,17 @@ static int read_keyword(struct reader *r)
     bool has_texture = take_prefix(&rest, "ST"), has_colour = take_prefix(&rest, "C");
     bool has_normal = take_prefix(&rest, "N");
     r->has_attributes = has_texture || has_colour || has_normal;
-    if (token_is(&rest, "4OFF") || token_is(&rest, "nOFF") || token_is(&rest, "4nOFF"))
+    if (scan_token_is(&rest, "4OFF") || scan_token_is(&rest, "nOFF") ||
+        scan_token_is(&rest, "4nOFF"))
         return scan_error(&r->scan, "%s: only three dimensions are read",
-                          quote_token(&keyword).text);
-    if (!token_is(&rest, "OFF"))
+                          scan_quote(&keyword).text);
+    if (!scan_token_is(&rest, "OFF"))
         return scan_error(&r->scan,
                           "an OFF file starts with \"OFF\" (or COFF, NOFF, ...), this one "
                           "with \"%s\"",
-                          quote_token(&keyword).text);
+                          scan_quote(&keyword).text);
     struct scan before = r->scan;
-    if (scan_token(&r->scan, &following) && token_is(&following, "BINARY"))
+    if (scan_token(&r->scan, &following) && scan_token_is(&following, "BINARY"))
         return scan_error(&r->scan, "binary OFF files are not read: write it as text");
     r->scan = before;
     return 0;
@@ -80,7 +81,7 @@ static int read_counts(struct reader *r)
         return -1;
     if (scan_token(&r->scan, &token))
         return scan_error(&r->scan, "\"%s\" behind the counts of vertices, faces and edges",
-                          quote_token(&token).text);
+                          scan_quote(&token).text);
     /* The shortest rows are "0 0 0" and "3 0 0 0" with their line ends. */
     if (check_count(r, "vertex", r->vertex_count, 6) || check_count(r, "face", r->face_count, 8))
         return -1;
@@ -101,8 +102,8 @@ static int find_row(struct reader *r, const char *what, int64_t row, int64_t cou
 /* The vertex when its row is plain: then *is_read. */
 static int read_plain_vertex(struct reader *r, bool *is_read)
 {
-    struct plain_floats row;
-    const char *behind = plain_floats(&r->scan, 0, &row);
+    struct scan_plain_floats row;
+    const char *behind = scan_plain_floats(&r->scan, 0, &row);
     *is_read = behind && (row.count == 3 || (r->has_attributes && row.count > 3));
     if (!*is_read)
         return 0;
@@ -113,8 +114,8 @@ static int read_plain_vertex(struct reader *r, bool *is_read)
 /* The face when its row is plain and right: then *is_read. */
 static int read_plain_face(struct reader *r, bool *is_read)
 {
-    struct plain_integers row;
-    const char *behind = plain_integers(&r->scan, 0, &row);
+    struct scan_plain_integers row;
+    const char *behind = scan_plain_integers(&r->scan, 0, &row);
     *is_read = behind && row.count >= 4 && row.values[0] == row.count - 1;
     for (int i = 1; *is_read && i < row.count; i++)
         *is_read = row.values[i] >= 0 && row.values[i] < r->vertex_count;
@@ -148,7 +149,7 @@ static int read_vertices(struct reader *r)
             return scan_error(&r->scan,
                               "\"%s\" behind the z of vertex %lld: a file with colours "
                               "starts with COFF, one with normals with NOFF",
-                              quote_token(&extra).text, (long long)v);
+                              scan_quote(&extra).text, (long long)v);
         scan_end_line(&r->scan);
     }
     return 0;
@@ -220,7 +221,7 @@ int off_write(FILE *out, const struct mesh *mesh, struct error *err)
     if (text_out_begin(&text, out, err))
         return -1;
     fprintf(out, "OFF\n%d %d 0\n", mesh->vertex_count, mesh->triangle_count);
-    write_positions(out, "", mesh);
+    text_out_positions(out, "", mesh);
     for (int64_t t = 0; t < mesh->triangle_count; t++)
         fprintf(out, "3 %d %d %d\n", mesh->triangles[3 * t], mesh->triangles[3 * t + 1],
                 mesh->triangles[3 * t + 2]);

@@ -55,14 +55,14 @@ static int read_type(struct scan *scan, enum ply_type *type)
     if (next_word(scan, "the type of the property", &token))
         return -1;
     for (enum ply_type t = PLY_INT8; t <= PLY_FLOAT64; t++)
-        if (token_is(&token, types[t].name) || token_is(&token, types[t].sized_name)) {
+        if (scan_token_is(&token, types[t].name) || scan_token_is(&token, types[t].sized_name)) {
             *type = t;
             return 0;
         }
     return scan_error(scan,
                       "\"%s\" is no type: char, uchar, short, ushort, int, uint, float or "
                       "double expected",
-                      quote_token(&token).text);
+                      scan_quote(&token).text);
 }
 
 static int read_format(struct scan *scan, struct ply_header *header, bool *has_format)
@@ -70,21 +70,21 @@ static int read_format(struct scan *scan, struct ply_header *header, bool *has_f
     struct token token;
     if (next_word(scan, "the format", &token))
         return -1;
-    if (token_is(&token, "ascii"))
+    if (scan_token_is(&token, "ascii"))
         header->encoding = PLY_ASCII;
-    else if (token_is(&token, "binary_little_endian"))
+    else if (scan_token_is(&token, "binary_little_endian"))
         header->encoding = PLY_LITTLE_ENDIAN;
-    else if (token_is(&token, "binary_big_endian"))
+    else if (scan_token_is(&token, "binary_big_endian"))
         header->encoding = PLY_BIG_ENDIAN;
     else
         return scan_error(scan,
                           "format \"%s\": ascii, binary_little_endian or binary_big_endian "
                           "expected",
-                          quote_token(&token).text);
+                          scan_quote(&token).text);
     if (next_word(scan, "the version of the format", &token))
         return -1;
-    if (!token_is(&token, "1.0"))
-        return scan_error(scan, "format version \"%s\": only 1.0 exists", quote_token(&token).text);
+    if (!scan_token_is(&token, "1.0"))
+        return scan_error(scan, "format version \"%s\": only 1.0 exists", scan_quote(&token).text);
     *has_format = true;
     return 0;
 }
@@ -105,19 +105,19 @@ static int read_element(struct scan *scan, struct ply_header *header)
     if (header->element_count == PLY_ELEMENT_LIMIT)
         return scan_error(scan, "more than %d elements", PLY_ELEMENT_LIMIT);
     struct ply_element element = {.line = scan->line};
-    if (token_is(&name, "vertex"))
+    if (scan_token_is(&name, "vertex"))
         element.kind = PLY_VERTEX;
-    else if (token_is(&name, "face"))
+    else if (scan_token_is(&name, "face"))
         element.kind = PLY_FACE;
-    else if (token_is(&name, "tristrips"))
+    else if (scan_token_is(&name, "tristrips"))
         return scan_error(scan, "the faces are triangle strips (tristrips), which are not read: "
                                 "write the file with single faces");
     if (element.kind != PLY_OTHER && has_kind(header, element.kind))
-        return scan_error(scan, "element %s is declared twice", quote_token(&name).text);
+        return scan_error(scan, "element %s is declared twice", scan_quote(&name).text);
     if (scan_next_integer(scan, "the count of the element", &element.count))
         return -1;
     if (element.count < 0)
-        return scan_error(scan, "%s count %lld is negative", quote_token(&name).text,
+        return scan_error(scan, "%s count %lld is negative", scan_quote(&name).text,
                           (long long)element.count);
     if (element.kind == PLY_VERTEX)
         header->vertex_count = element.count;
@@ -140,7 +140,7 @@ static enum ply_role role_of(const struct ply_element *element, const struct tok
         name->text[0] <= 'z')
         return PLY_X + (enum ply_role)(name->text[0] - 'x');
     if (element->kind == PLY_FACE &&
-        (token_is(name, "vertex_indices") || token_is(name, "vertex_index")))
+        (scan_token_is(name, "vertex_indices") || scan_token_is(name, "vertex_index")))
         return PLY_INDICES;
     return PLY_SKIPPED;
 }
@@ -155,7 +155,7 @@ static int read_property(struct scan *scan, struct ply_header *header)
     struct ply_property property = {0};
     struct scan before = *scan;
     struct token token;
-    if (scan_token(scan, &token) && token_is(&token, "list")) {
+    if (scan_token(scan, &token) && scan_token_is(&token, "list")) {
         if (read_type(scan, &property.count_type))
             return -1;
         if (!ply_type_is_integer(property.count_type))
@@ -169,10 +169,10 @@ static int read_property(struct scan *scan, struct ply_header *header)
     property.role = role_of(element, &token);
     bool is_list = property.count_type != PLY_NO_TYPE;
     if (property.role != PLY_SKIPPED && is_list != (property.role == PLY_INDICES))
-        return scan_error(scan, "property %s must %s a list", quote_token(&token).text,
+        return scan_error(scan, "property %s must %s a list", scan_quote(&token).text,
                           is_list ? "not be" : "be");
     if (property.role != PLY_SKIPPED && has_role(element, property.role))
-        return scan_error(scan, "property %s is declared twice", quote_token(&token).text);
+        return scan_error(scan, "property %s is declared twice", scan_quote(&token).text);
     element->properties[element->property_count++] = property;
     return 0;
 }
@@ -182,26 +182,26 @@ static int read_header_line(struct scan *scan, struct ply_header *header, bool *
                             bool *is_end)
 {
     struct token keyword, extra;
-    if (!scan_token(scan, &keyword) || token_is(&keyword, "comment") ||
-        token_is(&keyword, "obj_info"))
+    if (!scan_token(scan, &keyword) || scan_token_is(&keyword, "comment") ||
+        scan_token_is(&keyword, "obj_info"))
         return 0;
     int result;
-    if (token_is(&keyword, "format"))
+    if (scan_token_is(&keyword, "format"))
         result = read_format(scan, header, has_format);
-    else if (token_is(&keyword, "element"))
+    else if (scan_token_is(&keyword, "element"))
         result = read_element(scan, header);
-    else if (token_is(&keyword, "property"))
+    else if (scan_token_is(&keyword, "property"))
         result = read_property(scan, header);
-    else if ((*is_end = token_is(&keyword, "end_header")))
+    else if ((*is_end = scan_token_is(&keyword, "end_header")))
         result = 0;
     else
         result = scan_error(scan,
                             "\"%s\" in a PLY header: format, comment, element, property or "
                             "end_header expected",
-                            quote_token(&keyword).text);
+                            scan_quote(&keyword).text);
     if (result == 0 && scan_token(scan, &extra))
         result =
-            scan_error(scan, "\"%s\" behind the end of the statement", quote_token(&extra).text);
+            scan_error(scan, "\"%s\" behind the end of the statement", scan_quote(&extra).text);
     return result;
 }
 
@@ -252,9 +252,9 @@ int ply_header_read(struct scan *scan, struct ply_header *header)
 {
     memset(header, 0, sizeof *header);
     struct token magic = {0};
-    if (!scan_token(scan, &magic) || !token_is(&magic, "ply"))
+    if (!scan_token(scan, &magic) || !scan_token_is(&magic, "ply"))
         return scan_error(scan, "a PLY file starts with the line \"ply\", this one with \"%s\"",
-                          quote_token(&magic).text);
+                          scan_quote(&magic).text);
     bool has_format = false, is_end = false;
     while (!is_end) {
         scan_end_line(scan);

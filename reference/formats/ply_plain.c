@@ -45,8 +45,8 @@ static int read_text_vertices(struct scan *scan, const struct ply_element *eleme
     if (!find_layout(element, &layout))
         return 0;
     for (; *row < element->count; ++*row) {
-        struct plain_floats values;
-        const char *behind = plain_floats(scan, 0, &values);
+        struct scan_plain_floats values;
+        const char *behind = scan_plain_floats(scan, 0, &values);
         if (!behind || values.count != layout.column_count)
             return 0;
         float position[3];
@@ -60,7 +60,7 @@ static int read_text_vertices(struct scan *scan, const struct ply_element *eleme
 }
 
 /* Whether the row is a length and so many indices, each of [0, index_count). */
-static bool is_polygon(const struct plain_integers *row, int64_t index_count)
+static bool is_polygon(const struct scan_plain_integers *row, int64_t index_count)
 {
     bool ok = row->count >= 4 && row->values[0] == row->count - 1;
     for (int i = 1; ok && i < row->count; i++)
@@ -76,8 +76,8 @@ static int read_text_faces(struct scan *scan, const struct ply_element *element,
         return 0;
     int64_t index_count = ply_type_most(type) < vertex_count ? ply_type_most(type) : vertex_count;
     for (; *row < element->count; ++*row) {
-        struct plain_integers face;
-        const char *behind = plain_integers(scan, 0, &face);
+        struct scan_plain_integers face;
+        const char *behind = scan_plain_integers(scan, 0, &face);
         if (!behind || !is_polygon(&face, index_count))
             return 0;
         for (int i = 3; i < face.count; i++)

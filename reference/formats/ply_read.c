@@ -234,7 +234,7 @@ static int read_row(struct reader *r, const struct ply_element *element)
     struct token extra;
     if (result == 0 && is_text && scan_token(&r->scan, &extra))
         result = scan_error(&r->scan, "\"%s\" behind the last value of %s %lld",
-                            quote_token(&extra).text, r->element_name, (long long)r->row);
+                            scan_quote(&extra).text, r->element_name, (long long)r->row);
     return result;
 }
 

@@ -18,7 +18,7 @@ static void write_header(FILE *out, const struct mesh *mesh, enum ply_encoding e
 
 static void write_text(FILE *out, const struct mesh *mesh)
 {
-    write_positions(out, "", mesh);
+    text_out_positions(out, "", mesh);
     for (int64_t t = 0; t < mesh->triangle_count; t++)
         fprintf(out, "3 %d %d %d\n", mesh->triangles[3 * t], mesh->triangles[3 * t + 1],
                 mesh->triangles[3 * t + 2]);

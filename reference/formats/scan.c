@@ -176,12 +176,12 @@ int scan_error_at(const struct scan *scan, int64_t line, const char *format, ...
     return -1;
 }
 
-bool token_is(const struct token *token, const char *text)
+bool scan_token_is(const struct token *token, const char *text)
 {
     return token->length == strlen(text) && memcmp(token->text, text, token->length) == 0;
 }
 
-struct quoted quote_token(const struct token *token)
+struct quoted scan_quote(const struct token *token)
 {
     struct quoted quoted = {""};
     const size_t most = 40;
@@ -212,7 +212,7 @@ int scan_integer(const struct scan *scan, const struct token *token, const char 
     }
     if (!ok)
         return scan_error(scan, "%s must be a whole number, \"%s\" is none", what,
-                          quote_token(token).text);
+                          scan_quote(token).text);
     *value = is_negative ? -magnitude : magnitude;
     return 0;
 }
@@ -227,7 +227,7 @@ static int decimal_text(const struct scan *scan, const struct token *token, cons
         ok = token->text[i] != '\0' && strchr("0123456789+-.eE", token->text[i]);
     if (!ok)
         return scan_error(scan, "%s must be a finite decimal number, \"%s\" is none", what,
-                          quote_token(token).text);
+                          scan_quote(token).text);
     memcpy(text, token->text, token->length);
     text[token->length] = '\0';
     return 0;
@@ -271,10 +271,10 @@ int scan_float(const struct scan *scan, const struct token *token, const char *w
     *value = strtof_l(text, &end, scan->c_locale);
     if (*end != '\0' || end == text)
         return scan_error(scan, "%s must be a finite decimal number, \"%s\" is none", what,
-                          quote_token(token).text);
+                          scan_quote(token).text);
     if (!isfinite(*value))
         return scan_error(scan, "%s is %s, which is too large for a float (3.4e38)", what,
-                          quote_token(token).text);
+                          scan_quote(token).text);
     return 0;
 }
 
@@ -288,10 +288,10 @@ int scan_double(const struct scan *scan, const struct token *token, const char *
     *value = strtod_l(text, &end, scan->c_locale);
     if (*end != '\0' || end == text)
         return scan_error(scan, "%s must be a finite decimal number, \"%s\" is none", what,
-                          quote_token(token).text);
+                          scan_quote(token).text);
     if (!isfinite(*value))
         return scan_error(scan, "%s is %s, which is too large for a double (1.8e308)", what,
-                          quote_token(token).text);
+                          scan_quote(token).text);
     return 0;
 }
 

@@ -59,14 +59,14 @@ int scan_error(const struct scan *scan, const char *format, ...)
 int scan_error_at(const struct scan *scan, int64_t line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-bool token_is(const struct token *token, const char *text);
+bool scan_token_is(const struct token *token, const char *text);
 
 /* The token made fit for a message: at most 40 characters, everything but printable ASCII as '?'.
  */
 struct quoted {
     char text[48];
 };
-struct quoted quote_token(const struct token *token);
+struct quoted scan_quote(const struct token *token);
 
 /* Read a token as a number. `what` says what was expected, for the error: "the x of vertex 12".
  * Decimal only; what is too large for the type, NaN and infinity are errors. Return 0, or -1. */

@@ -24,7 +24,8 @@ static inline const char *row_start(const struct scan *scan, size_t skipped)
     return may_be_plain(scan, skipped) ? pass_blanks(scan->bytes + scan->at + skipped) : NULL;
 }
 
-const char *plain_floats(const struct scan *scan, size_t skipped, struct plain_floats *row)
+const char *scan_plain_floats(const struct scan *scan, size_t skipped,
+                              struct scan_plain_floats *row)
 {
     const char *at = row_start(scan, skipped);
     for (row->count = 0; at && row->count < PLAIN_LIMIT;) {
@@ -52,7 +53,7 @@ static const char *pass_slashes(const char *at)
 }
 
 static inline const char *integers(const struct scan *scan, size_t skipped, bool may_have_slashes,
-                                   struct plain_integers *row)
+                                   struct scan_plain_integers *row)
 {
     const char *at = row_start(scan, skipped);
     for (row->count = 0; at && row->count < PLAIN_LIMIT;) {
@@ -69,12 +70,14 @@ static inline const char *integers(const struct scan *scan, size_t skipped, bool
     return NULL;
 }
 
-const char *plain_integers(const struct scan *scan, size_t skipped, struct plain_integers *row)
+const char *scan_plain_integers(const struct scan *scan, size_t skipped,
+                                struct scan_plain_integers *row)
 {
     return integers(scan, skipped, false, row);
 }
 
-const char *plain_corners(const struct scan *scan, size_t skipped, struct plain_integers *row)
+const char *scan_plain_corners(const struct scan *scan, size_t skipped,
+                               struct scan_plain_integers *row)
 {
     return integers(scan, skipped, true, row);
 }

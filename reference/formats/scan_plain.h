@@ -12,24 +12,27 @@
 
 enum { PLAIN_LIMIT = 16 }; /* numbers in a plain row */
 
-struct plain_floats {
+struct scan_plain_floats {
     float values[PLAIN_LIMIT];
     int count;
 };
 
-struct plain_integers {
+struct scan_plain_integers {
     int64_t values[PLAIN_LIMIT];
     int count;
 };
 
 /* The numbers of a row, after `skipped` characters of it; scan->at < scan->plain_end must hold for
  * those too (a keyword's own bytes, which the caller has looked at). */
-const char *plain_floats(const struct scan *scan, size_t skipped, struct plain_floats *row);
-const char *plain_integers(const struct scan *scan, size_t skipped, struct plain_integers *row);
+const char *scan_plain_floats(const struct scan *scan, size_t skipped,
+                              struct scan_plain_floats *row);
+const char *scan_plain_integers(const struct scan *scan, size_t skipped,
+                                struct scan_plain_integers *row);
 
-/* As plain_integers, for the corners of a face in OBJ: behind each number may follow a slash and a
+/* As scan_plain_integers, for the corners of a face in OBJ: behind each number may follow a slash and a
  * whole number or none, once or twice, which are passed over. */
-const char *plain_corners(const struct scan *scan, size_t skipped, struct plain_integers *row);
+const char *scan_plain_corners(const struct scan *scan, size_t skipped,
+                               struct scan_plain_integers *row);
 
 /* Whether a plain row may start here and at least `count` bytes stand in front of its end. */
 static inline bool may_be_plain(const struct scan *scan, size_t count)

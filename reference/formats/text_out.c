@@ -24,7 +24,7 @@ int text_out_end(struct text_out *text, struct error *err)
     return 0;
 }
 
-void write_positions(FILE *out, const char *line_start, const struct mesh *mesh)
+void text_out_positions(FILE *out, const char *line_start, const struct mesh *mesh)
 {
     for (int64_t v = 0; v < mesh->vertex_count; v++) {
         const float *p = mesh->positions + 3 * v;

@@ -19,6 +19,6 @@ int text_out_end(struct text_out *text, struct error *err) MUST_CHECK;
 
 /* A line of three coordinates a vertex, with as many digits as a float needs to come back exactly.
  */
-void write_positions(FILE *out, const char *line_start, const struct mesh *mesh);
+void text_out_positions(FILE *out, const char *line_start, const struct mesh *mesh);
 
 #endif

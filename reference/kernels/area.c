@@ -31,7 +31,7 @@ int64_t area_plain(const struct mesh *mesh, void *scratch, void *output)
     (void)scratch;
     const float *p = mesh->positions;
     const int32_t *t = mesh->triangles;
-    const bool is_scattered = mesh_is_scattered(mesh);
+    const bool is_scattered = order_is_scattered(mesh);
     double twice_area = 0;
     for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3) {
         if (is_scattered && left > CORNERS_AHEAD)

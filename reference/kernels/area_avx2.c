@@ -8,7 +8,7 @@
 TARGET_AVX2 int64_t area_avx2(const struct mesh *mesh, void *scratch, void *output)
 {
     (void)scratch;
-    const bool is_scattered = mesh_is_scattered(mesh);
+    const bool is_scattered = order_is_scattered(mesh);
     const float *positions = mesh->positions;
     const int32_t *t = mesh->triangles;
     __m256d sums = _mm256_setzero_pd();

@@ -13,7 +13,7 @@ TARGET_AVX512 int64_t area_avx512(const struct mesh *mesh, void *scratch, void *
     const int32_t *t = mesh->triangles;
     __m512d sums = _mm512_setzero_pd();
     int32_t left = mesh->triangle_count;
-    if (mesh_is_scattered(mesh))
+    if (order_is_scattered(mesh))
         for (; left >= AHEAD + 8; left -= 8, t += 24) {
             prefetch_corners8(positions, t + 3 * AHEAD);
             __m512d squared = squared_length8(load_cross8(positions, t));

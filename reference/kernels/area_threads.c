@@ -31,7 +31,7 @@ static void add_share(void *argument, int index)
 int64_t area_on_threads(const struct mesh *mesh, void *scratch, void *output, int thread_count)
 {
     struct job job = {mesh, kernel_find("area", NULL), scratch, thread_count};
-    run_on_threads(thread_count, add_share, &job);
+    threads_run(thread_count, add_share, &job);
     double area = 0;
     for (int k = 0; k < thread_count; k++)
         area += job.areas[DOUBLES_A_LINE * k];

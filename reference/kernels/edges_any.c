@@ -117,10 +117,10 @@ int64_t edges_any_by(int32_t *(*put)(const struct neighbour_rows *rows, int32_t 
                                      int32_t *edges),
                      const struct mesh *mesh, void *scratch, void *output)
 {
-    if (mesh_is_worth_parting(mesh))
+    if (order_is_worth_parting(mesh))
         return run_by_parts(put, mesh, scratch, output);
     struct neighbour_rows rows = neighbour_rows_begin(scratch, mesh);
-    if (mesh_is_scattered(mesh))
+    if (order_is_scattered(mesh))
         fill_scattered_rows(mesh, &rows);
     else
         fill_rows(mesh, &rows);

@@ -99,14 +99,14 @@ static void write_share(void *argument, int index)
 
 static int64_t put_on_threads(struct job *job)
 {
-    run_on_threads(job->thread_count, count_share, job);
+    threads_run(job->thread_count, count_share, job);
     int64_t total = 0;
     for (int k = 0; k < job->thread_count; k++) {
         int64_t count = job->counts[COUNTS_A_LINE * k];
         job->counts[COUNTS_A_LINE * k] = total;
         total += count;
     }
-    run_on_threads(job->thread_count, write_share, job);
+    threads_run(job->thread_count, write_share, job);
     return total;
 }
 
@@ -121,14 +121,14 @@ int64_t edges_any_on_threads(const struct mesh *mesh, void *scratch, void *outpu
                       .counts = scratch,
                       .edges = output,
                       .thread_count = thread_count,
-                      .is_scattered = mesh_is_scattered(mesh)};
+                      .is_scattered = order_is_scattered(mesh)};
 #if defined(__x86_64__)
     if (cpu_has_avx512())
         job.put = neighbour_rows_put_edges_avx512;
     else if (cpu_has_avx2())
         job.put = neighbour_rows_put_edges_avx2;
 #endif
-    run_on_threads(thread_count, fill_share, &job);
+    threads_run(thread_count, fill_share, &job);
     neighbour_rows_sort_overflow(&job.rows);
     if (job.rows.overflow_count == 0)
         return put_on_threads(&job);

@@ -73,13 +73,13 @@ int64_t edges_closed_on_threads(const struct mesh *mesh, void *scratch, void *ou
     else if (cpu_has_avx2())
         job.count_edges = edges_closed_count_avx2;
 #endif
-    run_on_threads(thread_count, count_share, &job);
+    threads_run(thread_count, count_share, &job);
     int64_t total = 0;
     for (int k = 0; k < thread_count; k++) {
         int64_t count = job.counts[COUNTS_A_LINE * k];
         job.counts[COUNTS_A_LINE * k] = total;
         total += count;
     }
-    run_on_threads(thread_count, write_share, &job);
+    threads_run(thread_count, write_share, &job);
     return total;
 }

@@ -34,7 +34,7 @@ int64_t face_normals_plain(const struct mesh *mesh, void *scratch, void *output)
     (void)scratch;
     const float *p = mesh->positions;
     const int32_t *t = mesh->triangles;
-    const bool is_scattered = mesh_is_scattered(mesh);
+    const bool is_scattered = order_is_scattered(mesh);
     float *normal = output;
     for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3, normal += 3) {
         if (is_scattered && left > CORNERS_AHEAD)

@@ -7,7 +7,7 @@
 
 TARGET_AVX2 int64_t face_normals_avx2(const struct mesh *mesh, void *scratch, void *output)
 {
-    const bool is_scattered = mesh_is_scattered(mesh);
+    const bool is_scattered = order_is_scattered(mesh);
     const float *positions = mesh->positions;
     const int32_t *t = mesh->triangles;
     float *normal = output;

@@ -12,7 +12,7 @@ TARGET_AVX512 int64_t face_normals_avx512(const struct mesh *mesh, void *scratch
     const int32_t *t = mesh->triangles;
     float *normal = output;
     int32_t left = mesh->triangle_count;
-    if (mesh_is_scattered(mesh))
+    if (order_is_scattered(mesh))
         for (; left >= AHEAD + 8; left -= 8, t += 24, normal += 24) {
             prefetch_corners8(positions, t + 3 * AHEAD);
             store_units8(normal, load_cross8(positions, t));

@@ -24,6 +24,6 @@ int64_t face_normals_on_threads(const struct mesh *mesh, void *scratch, void *ou
 {
     (void)scratch;
     struct job job = {mesh, kernel_find("face-normals", NULL), output, thread_count};
-    run_on_threads(thread_count, write_share, &job);
+    threads_run(thread_count, write_share, &job);
     return mesh->triangle_count;
 }

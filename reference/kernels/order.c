@@ -15,7 +15,7 @@ static bool is_near_next(const int32_t *t, int32_t near)
     return false;
 }
 
-bool mesh_is_scattered(const struct mesh *mesh)
+bool order_is_scattered(const struct mesh *mesh)
 {
     enum { SAMPLES = 256, NEAR = 64, CACHED_VERTICES = 1 << 14 };
     if (mesh->vertex_count < CACHED_VERTICES || mesh->triangle_count < 2 * SAMPLES)
@@ -28,8 +28,8 @@ bool mesh_is_scattered(const struct mesh *mesh)
     return near_count < SAMPLES / 2;
 }
 
-bool mesh_is_worth_parting(const struct mesh *mesh)
+bool order_is_worth_parting(const struct mesh *mesh)
 {
     enum { LARGE = 1 << 17 };
-    return mesh->vertex_count >= LARGE && mesh_is_scattered(mesh);
+    return mesh->vertex_count >= LARGE && order_is_scattered(mesh);
 }

@@ -11,12 +11,12 @@
 /* Looks at a few hundred places of the triangle table. True means that tables of some 16 bytes a
  * vertex outgrow a core's cache and that triangles in a row name vertices from all over them, so
  * that kernels do well to prefetch. It is only about speed: no output depends on it. */
-bool mesh_is_scattered(const struct mesh *mesh);
+bool order_is_scattered(const struct mesh *mesh);
 
 /* Whether the mesh is scattered and so large that rows of a cache line a vertex outgrow even the
  * caches behind the core's own: sorting by ranges of vertices first then costs less than missing.
  */
-bool mesh_is_worth_parting(const struct mesh *mesh);
+bool order_is_worth_parting(const struct mesh *mesh);
 
 /* How many triangles before its turn a triangle's corners are asked for in a scattered mesh. */
 enum { CORNERS_AHEAD = 16 };

@@ -85,7 +85,7 @@ struct side_rows side_rows_of(const struct mesh *mesh, void *scratch)
 {
     struct side_rows rows = side_rows_begin(mesh, scratch);
     struct filling f = {rows.counts, rows.storeys, rows.row_count, &rows};
-    side_rows_fill_from(f, mesh, mesh_is_scattered(mesh) ? fill_with_prefetch(f, mesh) : 0);
+    side_rows_fill_from(f, mesh, order_is_scattered(mesh) ? fill_with_prefetch(f, mesh) : 0);
     return rows;
 }
 

@@ -97,7 +97,7 @@ TARGET_AVX512 struct side_rows side_rows_of_avx512(const struct mesh *mesh, void
     struct side_rows rows = side_rows_begin(mesh, scratch);
     struct filling f = {rows.counts, rows.storeys, rows.row_count, &rows};
     side_rows_fill_from(f, mesh,
-                        mesh_is_scattered(mesh) ? fill_with_prefetch(f, mesh) : fill(f, mesh));
+                        order_is_scattered(mesh) ? fill_with_prefetch(f, mesh) : fill(f, mesh));
     return rows;
 }
 

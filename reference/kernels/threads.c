@@ -18,7 +18,7 @@ static void *run_task(void *argument)
     return NULL;
 }
 
-void run_on_threads(int thread_count, void (*work)(void *job, int index), void *job)
+void threads_run(int thread_count, void (*work)(void *job, int index), void *job)
 {
     struct task tasks[KERNEL_MOST_THREADS];
     pthread_t threads[KERNEL_MOST_THREADS];

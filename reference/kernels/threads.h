@@ -8,7 +8,7 @@
 /* Calls work(job, 0) ... work(job, thread_count - 1), each on a thread of its own (the last one is
  * the caller's), and returns when all have. If a thread cannot be started, the caller runs its
  * share itself: work must not wait for other work. thread_count is 1 ... KERNEL_MOST_THREADS. */
-void run_on_threads(int thread_count, void (*work)(void *job, int index), void *job);
+void threads_run(int thread_count, void (*work)(void *job, int index), void *job);
 
 /* Begin of share `index` of 0 ... total - 1 among thread_count; share thread_count begins at total.
  */

@@ -124,7 +124,7 @@ int64_t twins_by(struct side_rows (*fill)(const struct mesh *mesh, void *scratch
                  const struct mesh *mesh, void *scratch, int32_t *twin)
 {
     memset(twin, TWIN_NONE, 12 * (size_t)mesh->triangle_count);
-    if (mesh_is_worth_parting(mesh)) {
+    if (order_is_worth_parting(mesh)) {
         run_by_parts(match, mesh, scratch, twin);
     } else {
         struct side_rows rows = fill(mesh, scratch);

@@ -77,15 +77,15 @@ int64_t twins_on_threads(const struct mesh *mesh, void *scratch, void *output, i
                       .rows = side_rows_begin(mesh, scratch),
                       .twin = output,
                       .thread_count = thread_count,
-                      .is_scattered = mesh_is_scattered(mesh)};
+                      .is_scattered = order_is_scattered(mesh)};
 #if defined(__x86_64__)
     if (cpu_has_avx512())
         job.match = twins_match_avx512;
     else if (cpu_has_avx2())
         job.match = twins_match_avx2;
 #endif
-    run_on_threads(thread_count, fill_share, &job);
-    run_on_threads(thread_count, match_share, &job);
+    threads_run(thread_count, fill_share, &job);
+    threads_run(thread_count, match_share, &job);
     side_rows_match_overflow(&job.rows, output);
     return 3 * (int64_t)mesh->triangle_count;
 }

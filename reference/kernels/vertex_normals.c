@@ -51,7 +51,7 @@ int64_t vertex_normals_plain(const struct mesh *mesh, void *scratch, void *outpu
 {
     float *sums = scratch, *normals = output;
     memset(sums, 0, 16 * (size_t)mesh->vertex_count);
-    const bool is_scattered = mesh_is_scattered(mesh);
+    const bool is_scattered = order_is_scattered(mesh);
     const float *p = mesh->positions;
     const int32_t *t = mesh->triangles;
     for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3) {

@@ -31,7 +31,7 @@ TARGET_AVX2 static inline void add_triangle(const float *positions, const int32_
 
 TARGET_AVX2 static void add_triangles(const struct mesh *mesh, float *sums)
 {
-    const bool is_scattered = mesh_is_scattered(mesh);
+    const bool is_scattered = order_is_scattered(mesh);
     const float *positions = mesh->positions;
     const int32_t *t = mesh->triangles;
     for (int32_t left = mesh->triangle_count; left > 0; left--, t += 3) {

@@ -14,7 +14,7 @@ static void note(struct finding *found, int64_t element)
         found->first = element;
 }
 
-struct finding boundary_edges(const struct edge_list *list)
+struct finding mesh_boundary_edges(const struct edge_list *list)
 {
     struct finding found = nothing_found;
     for (int64_t e = 0; e < list->edge_count; e++)
@@ -23,7 +23,7 @@ struct finding boundary_edges(const struct edge_list *list)
     return found;
 }
 
-struct finding nonmanifold_edges(const struct edge_list *list)
+struct finding mesh_nonmanifold_edges(const struct edge_list *list)
 {
     struct finding found = nothing_found;
     for (int64_t e = 0; e < list->edge_count; e++)
@@ -32,7 +32,7 @@ struct finding nonmanifold_edges(const struct edge_list *list)
     return found;
 }
 
-struct finding incoherent_edges(const struct edge_list *list)
+struct finding mesh_incoherent_edges(const struct edge_list *list)
 {
     struct finding found = nothing_found;
     for (int64_t e = 0; e < list->edge_count; e++)
@@ -41,7 +41,7 @@ struct finding incoherent_edges(const struct edge_list *list)
     return found;
 }
 
-struct finding degenerate_triangles(const struct mesh *mesh)
+struct finding mesh_degenerate_triangles(const struct mesh *mesh)
 {
     struct finding found = nothing_found;
     for (int64_t t = 0; t < mesh->triangle_count; t++)
@@ -85,7 +85,7 @@ static void sort_triangles(const struct mesh *mesh, int rank, const int32_t *fro
         to[starts[ranked_corner(mesh, from[i], rank)]++] = from[i];
 }
 
-int duplicate_triangles(const struct mesh *mesh, struct finding *found, struct error *err)
+int mesh_duplicate_triangles(const struct mesh *mesh, struct finding *found, struct error *err)
 {
     *found = nothing_found;
     size_t count = (size_t)mesh->triangle_count;
@@ -114,7 +114,7 @@ int duplicate_triangles(const struct mesh *mesh, struct finding *found, struct e
 
 /* -- vertices --------------------------------------------------------------------------------- */
 
-int isolated_vertices(const struct mesh *mesh, struct finding *found, struct error *err)
+int mesh_isolated_vertices(const struct mesh *mesh, struct finding *found, struct error *err)
 {
     *found = nothing_found;
     uint8_t *is_used = calloc((size_t)mesh->vertex_count + 1, 1);
@@ -159,8 +159,8 @@ static void count_fans(const struct mesh *mesh, const struct edge_list *list,
     }
 }
 
-int nonmanifold_vertices(const struct mesh *mesh, const struct edge_list *list,
-                         struct finding *found, struct error *err)
+int mesh_nonmanifold_vertices(const struct mesh *mesh, const struct edge_list *list,
+                              struct finding *found, struct error *err)
 {
     *found = nothing_found;
     struct groups corners;
@@ -246,7 +246,7 @@ static int check_orientable(const struct mesh *mesh, const struct edge_list *lis
     return 0;
 }
 
-int topology_of(const struct mesh *mesh, struct topology *topology, struct error *err)
+int mesh_topology(const struct mesh *mesh, struct topology *topology, struct error *err)
 {
     struct edge_list list;
     if (edge_list_init(&list, mesh, err))
@@ -254,14 +254,14 @@ int topology_of(const struct mesh *mesh, struct topology *topology, struct error
     struct topology out = {.vertex_count = mesh->vertex_count,
                            .edge_count = list.edge_count,
                            .triangle_count = mesh->triangle_count,
-                           .boundary = boundary_edges(&list),
-                           .nonmanifold_edge = nonmanifold_edges(&list),
-                           .incoherent = incoherent_edges(&list),
-                           .degenerate = degenerate_triangles(mesh)};
+                           .boundary = mesh_boundary_edges(&list),
+                           .nonmanifold_edge = mesh_nonmanifold_edges(&list),
+                           .incoherent = mesh_incoherent_edges(&list),
+                           .degenerate = mesh_degenerate_triangles(mesh)};
     int result = -1;
-    if (!duplicate_triangles(mesh, &out.duplicate, err) &&
-        !isolated_vertices(mesh, &out.isolated, err) &&
-        !nonmanifold_vertices(mesh, &list, &out.nonmanifold_vertex, err) &&
+    if (!mesh_duplicate_triangles(mesh, &out.duplicate, err) &&
+        !mesh_isolated_vertices(mesh, &out.isolated, err) &&
+        !mesh_nonmanifold_vertices(mesh, &list, &out.nonmanifold_vertex, err) &&
         !count_components(mesh, &out, err) && !count_boundary_loops(mesh, &list, &out, err) &&
         !check_orientable(mesh, &list, &out, err)) {
         out.euler_characteristic = out.vertex_count - out.isolated.count - out.edge_count +

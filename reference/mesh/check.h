@@ -20,36 +20,37 @@ struct finding {
  */
 
 /* Edges with one triangle: the mesh is open there. */
-struct finding boundary_edges(const struct edge_list *list);
+struct finding mesh_boundary_edges(const struct edge_list *list);
 
 /* Edges with more than two triangles. */
-struct finding nonmanifold_edges(const struct edge_list *list);
+struct finding mesh_nonmanifold_edges(const struct edge_list *list);
 
 /* Edges whose two triangles run through it in the same direction: neighbours disagree which side is
  * outside. Edges with more than two triangles are not looked at. */
-struct finding incoherent_edges(const struct edge_list *list);
+struct finding mesh_incoherent_edges(const struct edge_list *list);
 
 /* -- triangles ------------------------------------------------------------------------------ */
 
 /* Triangles with two corners at the same vertex. */
-struct finding degenerate_triangles(const struct mesh *mesh);
+struct finding mesh_degenerate_triangles(const struct mesh *mesh);
 
 /* Triangles that name the same three vertices as an earlier one, in any order or winding.
  * Returns 0, or -1 and *err (out of memory). */
-int duplicate_triangles(const struct mesh *mesh, struct finding *found,
-                        struct error *err) MUST_CHECK;
+int mesh_duplicate_triangles(const struct mesh *mesh, struct finding *found,
+                             struct error *err) MUST_CHECK;
 
 /* -- vertices ------------------------------------------------------------------------------- */
 
 /* Vertices that no triangle uses. Returns 0, or -1 and *err (out of memory). */
-int isolated_vertices(const struct mesh *mesh, struct finding *found, struct error *err) MUST_CHECK;
+int mesh_isolated_vertices(const struct mesh *mesh, struct finding *found,
+                           struct error *err) MUST_CHECK;
 
 /* Vertices whose triangles are not one fan (open) or one umbrella (closed): an edge at the vertex
  * has more than two triangles, or its triangles fall apart into several groups that share no edge
  * there, as at the apex of two cones. Degenerate triangles and isolated vertices are not looked at.
  * `list` holds the edges of the mesh. Returns 0, or -1 and *err (out of memory). */
-int nonmanifold_vertices(const struct mesh *mesh, const struct edge_list *list,
-                         struct finding *found, struct error *err) MUST_CHECK;
+int mesh_nonmanifold_vertices(const struct mesh *mesh, const struct edge_list *list,
+                              struct finding *found, struct error *err) MUST_CHECK;
 
 /* -- the whole ------------------------------------------------------------------------------ */
 
@@ -67,6 +68,6 @@ struct topology {
 /* All of the above at once. is_orientable asks whether some choice of windings makes every edge
  * with two triangles coherent; edges with more are not looked at. Returns 0, or -1 and *err (out of
  * memory). Cost: linear but for an inverse Ackermann factor. */
-int topology_of(const struct mesh *mesh, struct topology *topology, struct error *err) MUST_CHECK;
+int mesh_topology(const struct mesh *mesh, struct topology *topology, struct error *err) MUST_CHECK;
 
 #endif

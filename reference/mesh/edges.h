@@ -4,7 +4,7 @@
  * (two corners the same vertex) has two answers, because there are two questions:
  *
  *     of the surface   here, check.h, representation/, Euler numbers: it covers nothing, so it is
- * no face and has no sides; degenerate_triangles (check.h) finds it of the table
+ * no face and has no sides; mesh_degenerate_triangles (check.h) finds it of the table
  * kernels/edges_any.h, the exercise edge-table-any: every pair of different vertices that follow
  * each other in a triangle as it is listed; (a,a,b) has {a,b}, (a,a,a) has none
  *

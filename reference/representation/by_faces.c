@@ -114,8 +114,8 @@ static bool has_edge(const float *positions, const int32_t corner[3], int32_t u,
            !is_degenerate(positions, corner);
 }
 
-int32_t search_face_neighbours(const struct representation *kind, const void *self,
-                               const float *positions, int32_t face, int32_t neighbours[3])
+int32_t faces_search_face_neighbours(const struct representation *kind, const void *self,
+                                     const float *positions, int32_t face, int32_t neighbours[3])
 {
     int32_t own[3];
     kind->face_vertices(self, face, 1, own);
@@ -139,9 +139,9 @@ int32_t search_face_neighbours(const struct representation *kind, const void *se
     return found;
 }
 
-int32_t search_faces_around(const struct representation *kind, const void *self,
-                            const float *positions, int32_t vertex, int32_t *faces,
-                            int32_t capacity)
+int32_t faces_search_faces_around(const struct representation *kind, const void *self,
+                                  const float *positions, int32_t vertex, int32_t *faces,
+                                  int32_t capacity)
 {
     int32_t found = 0;
     struct block block;
@@ -155,8 +155,8 @@ int32_t search_faces_around(const struct representation *kind, const void *self,
     return found;
 }
 
-bool search_edge(const struct representation *kind, const void *self, const float *positions,
-                 int32_t u, int32_t v)
+bool faces_search_edge(const struct representation *kind, const void *self, const float *positions,
+                       int32_t u, int32_t v)
 {
     if (same_vertex(positions, u, v))
         return false;
@@ -168,8 +168,8 @@ bool search_edge(const struct representation *kind, const void *self, const floa
     return false;
 }
 
-int32_t search_vertices_around(const struct representation *kind, const void *self, int32_t vertex,
-                               int32_t *vertices, int32_t capacity)
+int32_t faces_search_vertices_around(const struct representation *kind, const void *self,
+                                     int32_t vertex, int32_t *vertices, int32_t capacity)
 {
     uint8_t *is_seen = calloc((size_t)kind->vertex_count(self) / 8 + 1, 1);
     if (!is_seen)

@@ -22,16 +22,16 @@ int faces_to_mesh(const struct representation *kind, const void *self, const flo
 
 /* -- searches: all faces are looked at ------------------------------------------------------ */
 
-int32_t search_face_neighbours(const struct representation *kind, const void *self,
-                               const float *positions, int32_t face, int32_t neighbours[3]);
-int32_t search_faces_around(const struct representation *kind, const void *self,
-                            const float *positions, int32_t vertex, int32_t *faces,
-                            int32_t capacity);
-bool search_edge(const struct representation *kind, const void *self, const float *positions,
-                 int32_t u, int32_t v);
+int32_t faces_search_face_neighbours(const struct representation *kind, const void *self,
+                                     const float *positions, int32_t face, int32_t neighbours[3]);
+int32_t faces_search_faces_around(const struct representation *kind, const void *self,
+                                  const float *positions, int32_t vertex, int32_t *faces,
+                                  int32_t capacity);
+bool faces_search_edge(const struct representation *kind, const void *self, const float *positions,
+                       int32_t u, int32_t v);
 
 /* By numbers only; marks a bit a vertex meanwhile. */
-int32_t search_vertices_around(const struct representation *kind, const void *self, int32_t vertex,
-                               int32_t *vertices, int32_t capacity);
+int32_t faces_search_vertices_around(const struct representation *kind, const void *self,
+                                     int32_t vertex, int32_t *vertices, int32_t capacity);
 
 #endif

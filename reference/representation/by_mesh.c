@@ -146,8 +146,8 @@ int32_t by_mesh_vertices_around(const struct representation *kind, const void *s
     int32_t own = 0;
     while (!same_position(view.mesh.positions + 3 * (int64_t)own, positions + 3 * (int64_t)vertex))
         own++;
-    int32_t count =
-        search_vertices_around(&representation_indexed_mesh, &view.mesh, own, vertices, capacity);
+    int32_t count = faces_search_vertices_around(&representation_indexed_mesh, &view.mesh, own,
+                                                 vertices, capacity);
     for (int32_t i = 0; i < count && i < capacity; i++)
         vertices[i] = name_of(&view, vertices[i]);
     view_release(&view);

@@ -184,7 +184,7 @@ static int32_t vertices_around_vertex(const void *self, int32_t vertex, int32_t 
                                       int32_t capacity)
 {
     const struct corner_table *table = self;
-    int32_t first = table->vertex_corner[vertex], c = first, last = first, count = 0;
+    int32_t first = table->vertex_corner[vertex], c = first, last, count = 0;
     if (first < 0)
         return 0;
     do {

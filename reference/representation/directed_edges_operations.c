@@ -188,7 +188,7 @@ static int32_t vertices_around_vertex(const void *self, int32_t vertex, int32_t 
                                       int32_t capacity)
 {
     const struct directed_edge_mesh *de = self;
-    int32_t first = de->vertex_edge[vertex], e = first, last = first, count = 0;
+    int32_t first = de->vertex_edge[vertex], e = first, last, count = 0;
     if (first < 0)
         return 0;
     do {

@@ -25,7 +25,7 @@ static int build(void *self, const struct mesh *mesh, struct error *err)
 {
     struct triangle_edge_list *list = self;
     *list = (struct triangle_edge_list){0};
-    int64_t edge_count = number_mesh_edges(mesh, &list->edges, err);
+    int64_t edge_count = edge_numbers_of_mesh(mesh, &list->edges, err);
     if (edge_count < 0)
         return -1;
     list->positions = malloc(12 * (size_t)mesh->vertex_count + 1);
@@ -118,7 +118,7 @@ static int check_tables(const struct triangle_edge_list *list, struct error *err
             return error_set(err, "face %lld: its edges %d, %d, %d are no ring", (long long)f,
                              list->edges[3 * f], list->edges[3 * f + 1], list->edges[3 * f + 2]);
     }
-    return check_edges_differ(list->ends, 2, list->edge_count, list->vertex_count, err);
+    return edge_numbers_check(list->ends, 2, list->edge_count, list->vertex_count, err);
 }
 
 /* Faces at each edge, up to 3; the caller frees the table. NULL when memory runs out. */
@@ -281,7 +281,8 @@ static int32_t face_neighbours(const void *self, int32_t face, int32_t neighbour
 static int32_t faces_around_vertex(const void *self, int32_t vertex, int32_t *faces,
                                    int32_t capacity)
 {
-    return search_faces_around(&representation_edge_list, self, NULL, vertex, faces, capacity);
+    return faces_search_faces_around(&representation_edge_list, self, NULL, vertex, faces,
+                                     capacity);
 }
 
 static int32_t vertices_around_vertex(const void *self, int32_t vertex, int32_t *vertices,

@@ -56,8 +56,8 @@ static int64_t number_runs(const struct sides *sides, const int32_t *sorted, int
     return edge_count;
 }
 
-int64_t number_edges(const int32_t *starts, const int32_t *ends, int64_t side_count,
-                     int32_t vertex_count, int32_t *edge_of_side, struct error *err)
+int64_t edge_numbers_make(const int32_t *starts, const int32_t *ends, int64_t side_count,
+                          int32_t vertex_count, int32_t *edge_of_side, struct error *err)
 {
     struct sides sides = {starts, ends, vertex_count};
     int32_t *order = calloc((size_t)side_count + 1, sizeof *order);
@@ -79,10 +79,10 @@ int64_t number_edges(const int32_t *starts, const int32_t *ends, int64_t side_co
     return edge_count;
 }
 
-int64_t number_mesh_edges(const struct mesh *mesh, int32_t **edge_of_side, struct error *err)
+int64_t edge_numbers_of_mesh(const struct mesh *mesh, int32_t **edge_of_side, struct error *err)
 {
     *edge_of_side = NULL;
-    struct finding degenerate = degenerate_triangles(mesh);
+    struct finding degenerate = mesh_degenerate_triangles(mesh);
     if (degenerate.count > 0) {
         const int32_t *corner = mesh->triangles + 3 * degenerate.first;
         return error_set(err, "triangle %lld has corners %d %d %d: two are the same vertex",
@@ -95,7 +95,7 @@ int64_t number_mesh_edges(const struct mesh *mesh, int32_t **edge_of_side, struc
         for (int64_t side = 0; side < side_count; side++)
             ends[side] = mesh->triangles[side % 3 == 2 ? side - 2 : side + 1];
         edge_count =
-            number_edges(mesh->triangles, ends, side_count, mesh->vertex_count, numbers, err);
+            edge_numbers_make(mesh->triangles, ends, side_count, mesh->vertex_count, numbers, err);
     } else {
         error_set(err, "out of memory: numbering the edges of %d triangles", mesh->triangle_count);
     }
@@ -107,7 +107,7 @@ int64_t number_mesh_edges(const struct mesh *mesh, int32_t **edge_of_side, struc
     return edge_count;
 }
 
-int check_edges_differ(const int32_t *pairs, int64_t stride, int64_t edge_count,
+int edge_numbers_check(const int32_t *pairs, int64_t stride, int64_t edge_count,
                        int32_t vertex_count, struct error *err)
 {
     int32_t *ends = calloc(3 * (size_t)edge_count + 1, sizeof *ends);
@@ -119,7 +119,7 @@ int check_edges_differ(const int32_t *pairs, int64_t stride, int64_t edge_count,
         ends[edge_count + e] = pairs[stride * e + 1];
     }
     int result = -1;
-    if (number_edges(ends, ends + edge_count, edge_count, vertex_count, numbers, err) >= 0) {
+    if (edge_numbers_make(ends, ends + edge_count, edge_count, vertex_count, numbers, err) >= 0) {
         int64_t e = 0; /* numbers follow the first appearance: the first gap is behind a double */
         while (e < edge_count && numbers[e] == e)
             e++;

@@ -37,7 +37,7 @@ static int build(void *self, const struct mesh *mesh, struct error *err)
 {
     struct extended_edge_list *list = self;
     *list = (struct extended_edge_list){0};
-    int64_t edge_count = number_mesh_edges(mesh, &list->face_edges, err);
+    int64_t edge_count = edge_numbers_of_mesh(mesh, &list->face_edges, err);
     if (edge_count < 0)
         return -1;
     list->positions = malloc(12 * (size_t)mesh->vertex_count + 1);

@@ -51,8 +51,8 @@ static int fill_lists(struct face_edge_vertex *list, const struct listed_polygon
         for (int32_t i = polygons->starts[f]; i < polygons->starts[f + 1]; i++)
             ends[i] =
                 polygons->corners[i + 1 < polygons->starts[f + 1] ? i + 1 : polygons->starts[f]];
-    int64_t edge_count = number_edges(polygons->corners, ends, side_count, polygons->vertex_count,
-                                      list->face_edges, err);
+    int64_t edge_count = edge_numbers_make(polygons->corners, ends, side_count,
+                                           polygons->vertex_count, list->face_edges, err);
     if (edge_count < 0)
         return -1;
     list->edges.table = malloc((size_t)edge_count * sizeof *list->edges.table + 1);

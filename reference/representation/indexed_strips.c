@@ -168,24 +168,27 @@ static void face_vertices(const void *self, int32_t first, int32_t count, int32_
 
 static int32_t face_neighbours(const void *self, int32_t face, int32_t neighbours[3])
 {
-    return search_face_neighbours(&representation_indexed_strips, self, NULL, face, neighbours);
+    return faces_search_face_neighbours(&representation_indexed_strips, self, NULL, face,
+                                        neighbours);
 }
 
 static int32_t faces_around_vertex(const void *self, int32_t vertex, int32_t *faces,
                                    int32_t capacity)
 {
-    return search_faces_around(&representation_indexed_strips, self, NULL, vertex, faces, capacity);
+    return faces_search_faces_around(&representation_indexed_strips, self, NULL, vertex, faces,
+                                     capacity);
 }
 
 static int32_t vertices_around_vertex(const void *self, int32_t vertex, int32_t *vertices,
                                       int32_t capacity)
 {
-    return search_vertices_around(&representation_indexed_strips, self, vertex, vertices, capacity);
+    return faces_search_vertices_around(&representation_indexed_strips, self, vertex, vertices,
+                                        capacity);
 }
 
 static bool is_edge(const void *self, int32_t u, int32_t v)
 {
-    return search_edge(&representation_indexed_strips, self, NULL, u, v);
+    return faces_search_edge(&representation_indexed_strips, self, NULL, u, v);
 }
 
 const struct representation representation_indexed_strips = {

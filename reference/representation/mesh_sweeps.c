@@ -42,11 +42,11 @@ static int64_t collect_boundary(const struct mesh *mesh, const struct edge_list 
 static int32_t chain_loops(const struct mesh *mesh, const struct edge_list *list, int32_t *vertices,
                            int32_t *loop_starts, struct error *err)
 {
-    struct finding many = nonmanifold_edges(list);
+    struct finding many = mesh_nonmanifold_edges(list);
     if (many.count > 0)
         return error_set(err, "edge {%d,%d} has more than two triangles: no boundary loops",
                          list->edges[many.first].low, list->edges[many.first].high);
-    int32_t *sides = malloc(2 * (size_t)boundary_edges(list).count * sizeof *sides + 1);
+    int32_t *sides = malloc(2 * (size_t)mesh_boundary_edges(list).count * sizeof *sides + 1);
     if (!sides)
         return error_set(err, "out of memory: collecting boundary edges");
     int64_t count = collect_boundary(mesh, list, sides);
@@ -101,7 +101,7 @@ void mesh_vertex_normals(const struct mesh *mesh, float *normals)
 int mesh_refuse_isolated(const struct mesh *mesh, const char *what, struct error *err)
 {
     struct finding found;
-    if (isolated_vertices(mesh, &found, err))
+    if (mesh_isolated_vertices(mesh, &found, err))
         return -1;
     if (found.count == 0)
         return 0;

@@ -197,7 +197,7 @@ int representation_new(const struct representation *kind, void **self, const str
                        struct error *err) MUST_CHECK;
 void representation_delete(const struct representation *kind, void *self); /* NULL allowed */
 
-/* Features of a mesh, from its topology (topology_of): it can be held when `holds` has them all. */
+/* Features of a mesh, from its topology (mesh_topology): it can be held when `holds` has them all. */
 unsigned mesh_features(const struct topology *topology);
 
 /* Counts of a mesh from its topology; strips and strip_vertices from `self` when it has any. */

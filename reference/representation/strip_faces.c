@@ -57,8 +57,8 @@ void strip_faces(const int32_t *starts, int32_t run_count, int32_t first, int32_
     }
 }
 
-void fan_faces(const int32_t *starts, int32_t run_count, int32_t first, int32_t count,
-               int32_t *corners)
+void strip_faces_of_fans(const int32_t *starts, int32_t run_count, int32_t first, int32_t count,
+                         int32_t *corners)
 {
     struct walk walk = walk_to(starts, run_count, first);
     while (count > 0) {

@@ -13,7 +13,7 @@
  * cost     lg(run_count) to find the first face, then constant a face */
 void strip_faces(const int32_t *starts, int32_t run_count, int32_t first, int32_t count,
                  int32_t *corners);
-void fan_faces(const int32_t *starts, int32_t run_count, int32_t first, int32_t count,
-               int32_t *corners);
+void strip_faces_of_fans(const int32_t *starts, int32_t run_count, int32_t first, int32_t count,
+                         int32_t *corners);
 
 #endif

@@ -161,7 +161,8 @@ static int check(const void *self, struct error *err)
 static void face_vertices(const void *self, int32_t first, int32_t count, int32_t *corners)
 {
     const struct triangle_fans *fans = self;
-    fan_faces(fans->entries.first_vertex, fans->entries.strip_count, first, count, corners);
+    strip_faces_of_fans(fans->entries.first_vertex, fans->entries.strip_count, first, count,
+                        corners);
 }
 
 static int to_mesh(const void *self, struct mesh *mesh, struct error *err)
@@ -267,16 +268,16 @@ static int smooth(void *self, struct error *err)
 static int32_t face_neighbours(const void *self, int32_t face, int32_t neighbours[3])
 {
     const struct triangle_fans *fans = self;
-    return search_face_neighbours(&representation_triangle_fans, self, fans->entries.positions,
-                                  face, neighbours);
+    return faces_search_face_neighbours(&representation_triangle_fans, self,
+                                        fans->entries.positions, face, neighbours);
 }
 
 static int32_t faces_around_vertex(const void *self, int32_t vertex, int32_t *faces,
                                    int32_t capacity)
 {
     const struct triangle_fans *fans = self;
-    return search_faces_around(&representation_triangle_fans, self, fans->entries.positions, vertex,
-                               faces, capacity);
+    return faces_search_faces_around(&representation_triangle_fans, self, fans->entries.positions,
+                                     vertex, faces, capacity);
 }
 
 static int32_t vertices_around_vertex(const void *self, int32_t vertex, int32_t *vertices,
@@ -290,7 +291,7 @@ static int32_t vertices_around_vertex(const void *self, int32_t vertex, int32_t 
 static bool is_edge(const void *self, int32_t u, int32_t v)
 {
     const struct triangle_fans *fans = self;
-    return search_edge(&representation_triangle_fans, self, fans->entries.positions, u, v);
+    return faces_search_edge(&representation_triangle_fans, self, fans->entries.positions, u, v);
 }
 
 const struct representation representation_triangle_fans = {

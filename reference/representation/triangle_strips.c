@@ -125,16 +125,16 @@ static void face_vertices(const void *self, int32_t first, int32_t count, int32_
 static int32_t face_neighbours(const void *self, int32_t face, int32_t neighbours[3])
 {
     const struct strips *strips = self;
-    return search_face_neighbours(&representation_triangle_strips, self, strips->positions, face,
-                                  neighbours);
+    return faces_search_face_neighbours(&representation_triangle_strips, self, strips->positions,
+                                        face, neighbours);
 }
 
 static int32_t faces_around_vertex(const void *self, int32_t vertex, int32_t *faces,
                                    int32_t capacity)
 {
     const struct strips *strips = self;
-    return search_faces_around(&representation_triangle_strips, self, strips->positions, vertex,
-                               faces, capacity);
+    return faces_search_faces_around(&representation_triangle_strips, self, strips->positions,
+                                     vertex, faces, capacity);
 }
 
 static int32_t vertices_around_vertex(const void *self, int32_t vertex, int32_t *vertices,
@@ -148,7 +148,7 @@ static int32_t vertices_around_vertex(const void *self, int32_t vertex, int32_t 
 static bool is_edge(const void *self, int32_t u, int32_t v)
 {
     const struct strips *strips = self;
-    return search_edge(&representation_triangle_strips, self, strips->positions, u, v);
+    return faces_search_edge(&representation_triangle_strips, self, strips->positions, u, v);
 }
 
 const struct representation representation_triangle_strips = {

@@ -37,7 +37,7 @@ int two_sided_edges_check(const struct two_sided_edges *edges, struct error *err
             return error_set(err, "edge %d has face %d at its left and %d at its right, of %d", e,
                              edge->left, edge->right, edges->face_count);
     }
-    return check_edges_differ(edges->count ? &edges->table[0].from : NULL,
+    return edge_numbers_check(edges->count ? &edges->table[0].from : NULL,
                               sizeof *edges->table / sizeof(int32_t), edges->count,
                               edges->vertex_count, err);
 }

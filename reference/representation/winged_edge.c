@@ -37,7 +37,7 @@ static int allocate(struct winged_edge_mesh *we, int32_t vertex_count, int32_t f
 /* -- building ------------------------------------------------------------------------------- */
 
 /* Numbers the edges as reading the sides in order meets them. Returns how many there are. */
-static int32_t number_edges(const int32_t *twin, int32_t side_count, int32_t *edge_of_side)
+static int32_t edge_numbers_make(const int32_t *twin, int32_t side_count, int32_t *edge_of_side)
 {
     int32_t count = 0;
     for (int32_t s = 0; s < side_count; s++)
@@ -89,7 +89,7 @@ static int build(struct winged_edge_mesh *we, const struct polygons *polygons,
 {
     if (sides_match(polygons, twin, err) || sides_fans(polygons, twin, fan, err))
         return -1;
-    int32_t edge_count = number_edges(twin, polygons_side_count(polygons), edge_of_side);
+    int32_t edge_count = edge_numbers_make(twin, polygons_side_count(polygons), edge_of_side);
     if (allocate(we, polygons->vertex_count, polygons->face_count, edge_count, err))
         return -1;
     fill_faces(we, polygons, twin, edge_of_side);

@@ -6,6 +6,10 @@ edges=$submissions/edges/edge-table-any
 "$meshgrade" list >"$scratch/list"
 ok "list names every exercise" \
     [ "$(cut -d' ' -f1 "$scratch/list" | sort)" = "$(ls -d exercises/*/*/ | xargs -n 1 basename | grep -v licences | sort)" ]
+"$meshgrade" list --lang es >"$scratch/list-es"
+ok "list has Spanish titles" matches "$scratch/list-es" '^edge-table-any .* puntos  Tabla de aristas'
+LC_ALL=es_ES.UTF-8 "$meshgrade" list >"$scratch/list-here"
+ok "in the language of the environment" cmp -s "$scratch/list-es" "$scratch/list-here"
 "$meshgrade" list --json >"$scratch/list.json"
 ok "list --json is JSON" python3 -c 'import json,sys; assert "edge-table-any" in [e["name"] for e in json.load(open(sys.argv[1]))]' "$scratch/list.json"
 

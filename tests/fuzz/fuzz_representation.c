@@ -20,7 +20,7 @@ static void require(bool holds, const char *what)
     abort();
 }
 
-static struct mesh read_mesh(const uint8_t *bytes, size_t byte_count)
+static struct mesh mesh_file_read(const uint8_t *bytes, size_t byte_count)
 {
     struct mesh mesh;
     int32_t vertex_count = byte_count > 0 ? bytes[0] : 0;
@@ -107,9 +107,9 @@ static void try_kind(const struct representation *kind, const struct mesh *mesh,
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t byte_count)
 {
-    struct mesh mesh = read_mesh(bytes, byte_count);
+    struct mesh mesh = mesh_file_read(bytes, byte_count);
     struct topology topology;
-    require(topology_of(&mesh, &topology, NULL) == 0, "memory");
+    require(mesh_topology(&mesh, &topology, NULL) == 0, "memory");
     unsigned features = mesh_features(&topology);
     for (int i = 0; representation_table[i]; i++)
         try_kind(representation_table[i], &mesh, !(features & ~representation_table[i]->holds));

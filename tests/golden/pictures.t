@@ -59,6 +59,11 @@ check "EXR, TIFF and JPEG are written and read back" [ "$code" = 0 -a -s "$out/f
 check "an EXR is one" [ "$(head -c 4 "$out/f.exr" | od -An -tx1 | tr -d ' ')" = 762f3101 ]
 check "a JPEG is one" [ "$(head -c 2 "$out/f.jpg" | od -An -tx1 | tr -d ' ')" = ffd8 ]
 
+job sheets.json '{"pictures": [], "sheets": [{"title": "t", "out": {"en": "sheet.png", "es": "sheet.es.png"}, "columns": 1, "cells": [
+  {"picture": "absent.png", "caption": "c"}]}]}'
+check "a frame without a picture has words" [ "$code" = 0 -a -s "$out/sheet.png" -a -s "$out/sheet.es.png" ]
+check "in the language of the sheet" sh -c '! cmp -s "$1" "$2"' - "$out/sheet.png" "$out/sheet.es.png"
+
 job some.json '{"pictures": [{"scene": "absent.json", "out": "absent.png"},
   {"scene": "triangle.json", "out": "present.png", "width": 96, "height": 72}]}'
 check "a scene that is absent costs only its own picture" [ "$code" = 1 -a -s "$out/present.png" ]

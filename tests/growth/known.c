@@ -10,6 +10,7 @@
  *
  *   known [EXERCISE [BASE]]     run from anywhere below the project */
 #include "graders/engine/base/files.h"
+#include "graders/engine/run/sized.h"
 #include "graders/engine/run/trial.h"
 #include "reference/base/random.h"
 
@@ -101,15 +102,16 @@ static int measure(struct yardstick *yardstick, const char *text, struct trial *
     struct source source = {"answer.c", text, strlen(text)};
     memset(trial, 0, sizeof *trial);
     trial->yardstick = yardstick;
-    trial->cases = calloc(yardstick->judge->case_count, sizeof *trial->cases);
+    trial->cases = calloc(yardstick->inputs.judge->case_count, sizeof *trial->cases);
     if (!trial->cases)
         return error_set(err, "out of memory");
-    if (build_submission(yardstick->exercise, &source, 1, BUILD_PLAIN, &trial->build, err) != 0)
+    if (build_submission(yardstick->inputs.exercise, &source, 1, BUILD_PLAIN, &trial->build, err) !=
+        0)
         return -1;
     if (trial->build.refusal.refused)
         return error_set(err, "does not build: %s %.300s", trial->build.refusal.message.en,
                          trial->build.diagnostics);
-    return trial_check_growth(trial, err);
+    return sized_check(trial, err);
 }
 
 /* How many of TRIALS variations of the counts would fail the growth. Where the first sizes leave it
@@ -120,23 +122,23 @@ static int false_fails(const struct trial *trial, enum growth_class allowed, str
     int fails = 0;
     for (int i = 0; i < TRIALS; i++) {
         bool failed = false;
-        for (int family = 0; family < yardstick->family_count; family++) {
+        for (int family = 0; family < yardstick->inputs.family_count; family++) {
             int64_t counts[SIZES_MAX];
             struct growth_fit fit;
             struct error ignored;
             const struct cost *costs = trial->families[family].costs;
             int64_t sizes[SIZES_MAX];
             int counted = 0;
-            for (int s = 0; s < yardstick->size_count; s++) {
+            for (int s = 0; s < yardstick->inputs.size_count; s++) {
                 double normal = sqrt(-2 * log(1 - random_real(random))) *
                                 cos(2 * 3.14159265358979323846 * random_real(random));
                 if (!costs[s].counted)
                     continue;
-                sizes[counted] = yardstick->sizes[s];
+                sizes[counted] = yardstick->inputs.sizes[s];
                 counts[counted++] =
                     (int64_t)((double)costs[s].counts.instructions * (1 + VARIATION * normal));
             }
-            bool all = counted == yardstick->size_count;
+            bool all = counted == yardstick->inputs.size_count;
             if (growth_fit(sizes, counts, counted, allowed,
                            all ? GROWTH_FULL_LOOK : GROWTH_FIRST_LOOK, &fit, &ignored) == 0 &&
                 fit.decision == GROWTH_UNDECIDED)
@@ -155,15 +157,16 @@ static void print_row(const struct trial *trial, const struct base *base, const 
                       const char *decided, const char *remark)
 {
     const struct family_result *worst = &trial->families[0];
-    for (int family = 1; family < trial->yardstick->family_count; family++)
+    for (int family = 1; family < trial->yardstick->inputs.family_count; family++)
         if (trial->families[family].fit.excess > worst->fit.excess)
             worst = &trial->families[family];
     int counted = 0;
     for (int i = 0; i < worst->size_count; i++)
         counted += worst->costs[i].counted;
-    printf("| %s | %s | %s | %s | %s | %.2f | %.2f | %d | %s |\n", trial->yardstick->exercise->name,
-           base->name, extra->name, extra->class ? extra->class : base->class, decided,
-           worst->fit.excess, worst->fit.exponent, counted, remark);
+    printf("| %s | %s | %s | %s | %s | %.2f | %.2f | %d | %s |\n",
+           trial->yardstick->inputs.exercise->name, base->name, extra->name,
+           extra->class ? extra->class : base->class, decided, worst->fit.excess,
+           worst->fit.exponent, counted, remark);
     fflush(stdout);
 }
 
@@ -173,12 +176,12 @@ static int try_solution(struct yardstick *yardstick, const struct base *base, in
 {
     struct trial trial;
     enum growth_class allowed;
-    char *text = solution_text(yardstick->exercise->name, base_number, extra, err);
+    char *text = solution_text(yardstick->inputs.exercise->name, base_number, extra, err);
     if (!text)
         return -1;
     int result = measure(yardstick, text, &trial, err);
     if (result == 0)
-        result = growth_class_find(yardstick->exercise->growth_allowed, &allowed);
+        result = growth_class_find(yardstick->inputs.exercise->growth_allowed, &allowed);
     if (result == 0) {
         enum verdict verdict = trial.checks[CHECK_GROWTH].verdict;
         bool fails = verdict == VERDICT_GROWS_TOO_FAST, must_fail = extra->kind != EXTRA_NONE;
@@ -205,8 +208,8 @@ static int try_subject(const struct subject *subject, const struct exercise *exe
     struct yardstick yardstick;
     int result = yardstick_make(&yardstick, exercise, SEED_PUBLISHED, false, err);
     if (result == 0 && !yardstick.probes.valgrind)
-        result =
-            error_set(err, "nothing can be counted here: %s", yardstick.probes.valgrind_reason);
+        result = error_set(err, "nothing can be counted here: %s",
+                           phrase_text(yardstick.probes.no_valgrind, LANGUAGE_EN));
     for (int base = 0; result == 0 && base < subject->base_count; base++)
         for (int e = 0; result == 0 && e < EXTRA_COUNT && (only < 0 || base == only); e++)
             result = try_solution(&yardstick, &subject->bases[base], base, &extras[e], random,

@@ -7,7 +7,11 @@
  * the file, a tab, the verdict, a tab, what decided. Exit code 2: the harness failed (a mutant
  * whose grading failed is a line "fault"). */
 #include "graders/engine/base/files.h"
+#include "graders/engine/run/cases.h"
+#include "graders/engine/run/sized.h"
+#include "graders/engine/run/sweep.h"
 #include "graders/engine/run/trial.h"
+#include "graders/engine/run/undefined.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -30,17 +34,17 @@ typedef int check_step(struct trial *trial, struct error *err);
 static const struct {
     enum check_kind kind;
     check_step *step;
-} steps[] = {{CHECK_UNDEFINED_BEHAVIOUR, trial_check_undefined_behaviour},
-             {CHECK_ALLOCATION_FAILURE, trial_check_allocation_failure},
-             {CHECK_GROWTH, trial_check_growth}};
+} steps[] = {{CHECK_UNDEFINED_BEHAVIOUR, undefined_check},
+             {CHECK_ALLOCATION_FAILURE, sweep_check},
+             {CHECK_GROWTH, sized_check}};
 
 static int run_cases(struct trial *trial, struct finding *finding, struct error *err)
 {
-    const struct judge *judge = trial->yardstick->judge;
+    const struct judge *judge = trial->yardstick->inputs.judge;
     for (size_t i = 0; i < judge->case_count; i++) {
         const struct attempt *attempt = &trial->cases[i].attempt;
         trial->scope.only_case = finding->by = judge->cases[i].name;
-        if (trial_run_cases(trial, err) != 0)
+        if (cases_run(trial, err) != 0)
             return -1;
         finding->verdict = attempt->verdict;
         if (attempt->verdict == VERDICT_PASSED && attempt->claims.heap_left_bytes > 0)
@@ -55,7 +59,7 @@ static int run_cases(struct trial *trial, struct finding *finding, struct error 
 static int run_checks(struct trial *trial, struct finding *finding, struct error *err)
 {
     for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
-        if (!trial->yardstick->exercise->checked[steps[i].kind])
+        if (!trial->yardstick->inputs.exercise->checked[steps[i].kind])
             continue;
         if (steps[i].step(trial, err) != 0)
             return -1;
@@ -75,13 +79,13 @@ static int judge_one(struct yardstick *yardstick, const struct source *source,
 {
     struct trial trial = {
         .yardstick = yardstick, .student = "mutant", .sources = source, .source_count = 1};
-    trial.cases = calloc(yardstick->judge->case_count, sizeof *trial.cases);
+    trial.cases = calloc(yardstick->inputs.judge->case_count, sizeof *trial.cases);
     if (!trial.cases)
         return error_set(err, "out of memory");
     for (int check = 0; check < CHECK_COUNT; check++)
         trial.checks[check].verdict = VERDICT_NOT_REACHED;
     *finding = (struct finding){VERDICT_COMPILE_ERROR, "build"};
-    int result = build_submission(yardstick->exercise, source, 1,
+    int result = build_submission(yardstick->inputs.exercise, source, 1,
                                   yardstick->quick ? BUILD_PLAIN : BUILD_ALL, &trial.build, err);
     if (result == 0 && !trial.build.refusal.refused) {
         result = run_cases(&trial, finding, err);

@@ -113,8 +113,8 @@ static int decide(struct trial *trial, const struct subject *subject, int decisi
         int wrong = 0, count = distances[d].required ? decisions : decisions / 5 + 1;
         for (int i = 0; i < count; i++) {
             bool slower;
-            if (trial_is_slower(trial, 0, size_index, true_ratio / distances[d].factor, &slower,
-                                err) != 0)
+            if (pace_is_slower(trial, 0, size_index, true_ratio / distances[d].factor, &slower,
+                               err) != 0)
                 return -1;
             wrong += slower != (distances[d].factor > 1);
         }
@@ -187,7 +187,7 @@ static int try_subject(const struct subject *subject, int decisions, int *wrong,
                                 SEED_PUBLISHED, true, err);
     if (result == 0) {
         trial.yardstick = &yardstick;
-        result = build_subject(subject, yardstick.exercise, root, &trial.build, err);
+        result = build_subject(subject, yardstick.inputs.exercise, root, &trial.build, err);
         if (result == 0)
             result = decide(&trial, subject, decisions, wrong, err);
         build_release(&trial.build);

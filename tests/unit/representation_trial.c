@@ -74,7 +74,7 @@ static bool build_trial(struct representation_trial *trial)
     const struct representation *kind = trial->kind;
     struct topology topology;
     struct error err = {0};
-    require(topology_of(&trial->mesh, &topology, NULL) == 0, "there is memory");
+    require(mesh_topology(&trial->mesh, &topology, NULL) == 0, "there is memory");
     bool can_hold = (mesh_features(&topology) & ~kind->holds) == 0;
     int code = representation_new(kind, &trial->self, &trial->mesh, &err);
     if (code == 0 && can_hold)

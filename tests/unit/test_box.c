@@ -481,10 +481,11 @@ static void test_probes_agree_with_boxes(void **state)
         const char *name = box_layer_name((enum box_layer)layer);
         if (probes[layer].works != active)
             print_error("%s: probe '%s', box '%s'\n", name, probes[layer].reason,
-                        outcome.reason[layer]);
+                        outcome.reason[layer].en);
         assert_int_equal(probes[layer].works, active);
         assert_int_equal(probes[layer].remedy[0] != '\0', !active);
-        assert_int_equal(outcome.reason[layer][0] != '\0', !active);
+        assert_int_equal(outcome.reason[layer].en[0] != '\0', !active);
+        assert_int_equal(outcome.reason[layer].es[0] != '\0', !active);
     }
     assert_int_equal(box_bench_leftovers(), 0);
 }

@@ -30,10 +30,10 @@ static void the_edges_of_two_triangles(void **state)
     assert_int_equal(shared->forward_count, 1);
     assert_int_equal(list.uses[shared->first_use], 1);     /* 1 -> 2 of triangle 0 */
     assert_int_equal(list.uses[shared->first_use + 1], 4); /* 2 -> 1 of triangle 1 */
-    struct finding boundary = boundary_edges(&list);
+    struct finding boundary = mesh_boundary_edges(&list);
     assert_int_equal(boundary.count, 4);
     assert_int_equal(boundary.first, 0);
-    assert_int_equal(nonmanifold_edges(&list).first, -1);
+    assert_int_equal(mesh_nonmanifold_edges(&list).first, -1);
     edge_list_release(&list);
     edge_list_release(&list);
 }
@@ -46,7 +46,7 @@ static void the_first_element_at_fault_is_named(void **state)
     int32_t triangles[15] = {0, 1, 2, 0, 1, 3, 3, 1, 0, 4, 4, 5, 3, 4, 5};
     struct mesh mesh = {positions, triangles, 7, 5};
     struct topology found;
-    assert_int_equal(topology_of(&mesh, &found, NULL), 0);
+    assert_int_equal(mesh_topology(&mesh, &found, NULL), 0);
     assert_int_equal(found.degenerate.count, 1);
     assert_int_equal(found.degenerate.first, 3);
     assert_int_equal(found.duplicate.count, 1);
@@ -59,7 +59,7 @@ static void the_first_element_at_fault_is_named(void **state)
     assert_int_equal(found.nonmanifold_vertex.first, 0);
     assert_int_equal(found.component_count, 1);
     triangles[6] = 5, triangles[7] = 6, triangles[8] = 5; /* now degenerate: nothing conflicts */
-    assert_int_equal(topology_of(&mesh, &found, NULL), 0);
+    assert_int_equal(mesh_topology(&mesh, &found, NULL), 0);
     assert_int_equal(found.degenerate.first, 2);
     assert_int_equal(found.incoherent.count, 1);
     assert_int_equal(found.incoherent.first, 0);
@@ -77,12 +77,12 @@ static void boundary_loops_are_counted(void **state)
     int64_t after = mesh.triangle_count - hole - 2;
     memmove(mesh.triangles + 3 * hole, mesh.triangles + 3 * hole + 6, 12 * (size_t)after);
     mesh.triangle_count -= 2;
-    assert_int_equal(topology_of(&mesh, &found, NULL), 0);
+    assert_int_equal(mesh_topology(&mesh, &found, NULL), 0);
     assert_int_equal(found.boundary_loop_count, 2);
     assert_int_equal(found.euler_characteristic, 0);
     assert_int_equal(generate_disc(&disc, 2, 5, NULL), 0);
     assert_int_equal(change_append(&mesh, &disc, 5.0F, 0.0F, 0.0F, NULL), 0);
-    assert_int_equal(topology_of(&mesh, &found, NULL), 0);
+    assert_int_equal(mesh_topology(&mesh, &found, NULL), 0);
     assert_int_equal(found.boundary_loop_count, 3);
     assert_int_equal(found.component_count, 2);
     mesh_release(&mesh);
@@ -118,7 +118,7 @@ static void random_meshes_have_the_edges_that_their_triangles_have(void **state)
             assert_int_equal(edge_use_count(edge), uses);
             sides += uses;
         }
-        assert_int_equal(sides, 3 * (mesh.triangle_count - degenerate_triangles(&mesh).count));
+        assert_int_equal(sides, 3 * (mesh.triangle_count - mesh_degenerate_triangles(&mesh).count));
         edge_list_release(&list);
         mesh_release(&mesh);
     }
@@ -146,7 +146,7 @@ static void random_meshes_have_the_duplicates_that_pairs_show(void **state)
             if (seen && expected.count++ == 0)
                 expected.first = t;
         }
-        assert_int_equal(duplicate_triangles(&mesh, &found, NULL), 0);
+        assert_int_equal(mesh_duplicate_triangles(&mesh, &found, NULL), 0);
         assert_int_equal(found.count, expected.count);
         assert_int_equal(found.first, expected.first);
         mesh_release(&mesh);

@@ -95,7 +95,7 @@ static struct topology list_topology(struct list *list)
     struct mesh mesh = {positions, list->corners, list->vertex_count, list->count};
     struct topology topology;
     assert_true(list->vertex_count <= MOST_VERTICES);
-    assert_int_equal(topology_of(&mesh, &topology, NULL), 0);
+    assert_int_equal(mesh_topology(&mesh, &topology, NULL), 0);
     return topology;
 }
 
@@ -313,7 +313,7 @@ static void finish(struct subject *s)
     assert_int_equal(b.triangle_count, s->list->count);
     assert_memory_equal(a.positions, b.positions, 12 * (size_t)a.vertex_count);
     struct topology topology;
-    assert_int_equal(topology_of(&a, &topology, NULL), 0);
+    assert_int_equal(mesh_topology(&a, &topology, NULL), 0);
     assert_int_equal(topology.euler_characteristic, s->topology.euler_characteristic);
     mesh_release(&a);
     mesh_release(&b);

@@ -25,7 +25,7 @@ static void assert_facts(struct mesh *mesh, const struct facts *facts)
     struct topology found;
     struct error err = {0};
     assert_int_equal(mesh_check(mesh, &err), 0);
-    assert_int_equal(topology_of(mesh, &found, &err), 0);
+    assert_int_equal(mesh_topology(mesh, &found, &err), 0);
     if (facts->vertices >= 0)
         assert_int_equal(mesh->vertex_count, facts->vertices);
     if (facts->triangles >= 0)

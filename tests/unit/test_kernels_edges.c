@@ -80,7 +80,7 @@ static int compare_pairs(const void *a, const void *b)
 static void closed_equals_any(const struct mesh *mesh)
 {
     struct topology topology;
-    assert_int_equal(topology_of(mesh, &topology, NULL), 0);
+    assert_int_equal(mesh_topology(mesh, &topology, NULL), 0);
     if (topology.boundary.count + topology.incoherent.count + topology.nonmanifold_edge.count +
             topology.degenerate.count + topology.duplicate.count >
         0)

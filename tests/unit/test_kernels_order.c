@@ -134,7 +134,7 @@ static struct mesh model(const char *name)
     char path[100];
     struct mesh mesh;
     snprintf(path, sizeof path, "exercises/models/%s.ply", name);
-    assert_int_equal(read_mesh(path, &mesh, NULL), 0);
+    assert_int_equal(mesh_file_read(path, &mesh, NULL), 0);
     return mesh;
 }
 

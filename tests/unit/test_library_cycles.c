@@ -62,17 +62,17 @@ static void loops_are_told_apart(void **state)
     assert_int_equal(fault.set.missing, 0);
     assert_int_equal(fault.step.entry, 3);
     assert_int_equal(fault.step.right, 0);
-    struct message message = {0};
+    struct message message;
     cycle_step_say(&fault.step, &message);
-    assert_string_equal(message.en, " After 3 comes 1; right is 0.");
-    assert_string_equal(message.es, " Después de 3 viene 1; lo correcto es 0.");
+    assert_string_equal(message.en, "After 3 comes 1; right is 0.");
+    assert_string_equal(message.es, "Después de 3 viene 1; lo correcto es 0.");
     cycle_fault_release(&fault);
 }
 
 static void assert_step_said(struct table *answer, struct table *right, const char *text)
 {
     struct cycle_fault fault = compare(answer, right);
-    struct message message = {0};
+    struct message message;
     cycle_step_say(&fault.step, &message);
     assert_string_equal(message.en, text);
     cycle_fault_release(&fault);
@@ -84,15 +84,15 @@ static void each_way_to_differ_has_words(void **state)
     struct table right = {0}, twice = {0}, other = {0}, none = {0}, added = {0};
     ADD(&right, 1, 2, 3, 4);
     ADD(&twice, 2, 3, 4, 1, 2, 3, 4, 1);
-    assert_step_said(&twice, &right, " It should end after 1, but goes on with 2.");
-    assert_step_said(&right, &twice, " It ends after 1; right is 2 next.");
+    assert_step_said(&twice, &right, "It should end after 1, but goes on with 2.");
+    assert_step_said(&right, &twice, "It ends after 1; right is 2 next.");
     ADD(&other, 7, 8, 9);
-    assert_step_said(&other, &right, " It has nothing in common with what is missing.");
+    assert_step_said(&other, &right, "It has nothing in common with what is missing.");
     none.count = 1;
-    assert_step_said(&none, &right, " It is empty.");
-    assert_step_said(&right, &none, " It begins with 1; right is nothing at all.");
+    assert_step_said(&none, &right, "It is empty.");
+    assert_step_said(&right, &none, "It begins with 1; right is nothing at all.");
     ADD(&added, 3, 4, 9, 1, 2);
-    assert_step_said(&added, &right, " After 4 comes 9; right is 1.");
+    assert_step_said(&added, &right, "After 4 comes 9; right is 1.");
 }
 
 static void sequences_begin_where_they_begin(void **state)
@@ -108,9 +108,9 @@ static void sequences_begin_where_they_begin(void **state)
     assert_int_equal(sequences_compare(&a, &b, &fault, NULL), 0);
     assert_int_equal(fault.set.extra, 0);
     assert_int_equal(fault.set.reversed, 1);
-    struct message message = {0};
+    struct message message;
     cycle_step_say(&fault.step, &message);
-    assert_string_equal(message.en, " It begins with 2; right is 1.");
+    assert_string_equal(message.en, "It begins with 2; right is 1.");
     cycle_fault_release(&fault);
     answer = (struct table){0};
     ADD(&answer, 1, 2);
@@ -244,7 +244,7 @@ static void random_rows_are_told_as_slowly(void **state)
         assert_memory_equal(fault.set.right_marks, rights, (size_t)right.count);
         bool has_step = fault.set.extra >= 0 && fault.set.missing >= 0;
         assert_int_equal(fault.step.entry, has_step ? fault.set.extra : -1);
-        struct message message = {0};
+        struct message message;
         cycle_step_say(&fault.step, &message);
         assert_int_equal(message.en[0] != '\0', has_step);
         cycle_fault_release(&fault);

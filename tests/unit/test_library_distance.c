@@ -39,11 +39,11 @@ static void known_distances(void **state)
                   {{3, 3, 0}, 1.4142135623730951, {2, 2, 0}}};
     for (size_t i = 0; i < sizeof trials / sizeof *trials; i++) {
         double nearest[3];
-        double distance = point_triangle_distance(trials[i].p, a, b, c, nearest);
+        double distance = distance_point_triangle(trials[i].p, a, b, c, nearest);
         assert_true(fabs(distance - trials[i].distance) < 1e-15);
         assert_true(length(nearest, trials[i].nearest) < 1e-15);
     }
-    assert_true(point_triangle_distance(a, b, b, b, NULL) == 4);
+    assert_true(distance_point_triangle(a, b, b, b, NULL) == 4);
 }
 
 /* A point of a triangle of an answer is never nearer, and some of a fine lattice nearly as near. */
@@ -75,7 +75,7 @@ static void distances_are_as_sampled(void **state)
         for (int c = 0; c < 3; c++)
             longest = fmax(longest, length(corner[c], corner[(c + 1) % 3]));
         double nearest[3];
-        double distance = point_triangle_distance(p, corner[0], corner[1], corner[2], nearest);
+        double distance = distance_point_triangle(p, corner[0], corner[1], corner[2], nearest);
         assert_true(distance <= sampled + 1e-12);
         assert_true(distance >= sampled - 2 * longest / FINE);
         assert_true(fabs(length(p, nearest) - distance) < 1e-12);
@@ -102,7 +102,7 @@ static double nearest_slowly(const struct surface_mesh *mesh, const double p[3])
             }
         }
         if (is_fine)
-            best = fmin(best, point_triangle_distance(p, corner[0], corner[1], corner[2], NULL));
+            best = fmin(best, distance_point_triangle(p, corner[0], corner[1], corner[2], NULL));
     }
     return best;
 }

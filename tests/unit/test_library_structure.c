@@ -426,10 +426,10 @@ static void faults_have_words(void **state)
     assert_ptr_equal(structure_fault_cause(&fault), &structure_out_of_range);
     structure_fault_release(&fault);
     prism(&s);
-    s.vertex_edge[1] = 8;
+    s.vertex_edge[1] = -1;
     fault = compare(&truth, &answer);
     structure_fault_say(&fault, &message);
-    assert_string_equal(message.en, "vertex_edge[1] is 8; right is any of 0, 1, 4");
+    assert_string_equal(message.en, "vertex_edge[1] is NONE; right is any of 0, 1, 4");
     structure_fault_release(&fault);
     prism(&s);
     answer.row_count = 8;
@@ -578,7 +578,7 @@ static void other_faces_are_our_error(void **state)
     struct structure_fault fault = compare(&truth, &answer);
     struct message message;
     structure_fault_say(&fault, &message);
-    assert_string_equal(message.en, "vertex_half_edge[1] is 0; right is -1");
+    assert_string_equal(message.en, "vertex_half_edge[1] is 0; right is NONE");
     structure_fault_release(&fault);
     structure_truth_release(&truth);
 }

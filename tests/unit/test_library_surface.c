@@ -28,7 +28,7 @@ static int32_t nearest_slowly(const float *positions, int32_t count, const float
     int32_t best = -1;
     double least = INFINITY;
     for (int32_t i = 0; i < count; i++) {
-        double distance = point_distance(p, positions + 3 * (int64_t)i);
+        double distance = near_points_distance(p, positions + 3 * (int64_t)i);
         if (distance <= reach && distance < least) {
             least = distance;
             best = i;
@@ -98,7 +98,7 @@ static bool has_coincident_vertices(const struct mesh *mesh)
 {
     for (int32_t v = 0; v < mesh->vertex_count; v++)
         for (int32_t u = 0; u < v; u++)
-            if (point_distance(mesh->positions + 3 * v, mesh->positions + 3 * u) < 1e-2)
+            if (near_points_distance(mesh->positions + 3 * v, mesh->positions + 3 * u) < 1e-2)
                 return true;
     return false;
 }

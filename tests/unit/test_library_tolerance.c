@@ -128,7 +128,7 @@ static const char *mistake_of(const double *found, const double *right, int rows
     struct reals reals = {.doubles = found};
     struct real_rule rule = {.tolerance = {.relative = 1e-9, .absolute = 1e-12}};
     const struct mistake *mistake =
-        reals_mistake(&reals, right, rows, 1, &rule, usual_mistakes, NULL);
+        reals_mistake(&reals, right, rows, 1, &rule, tolerance_usual_mistakes, NULL);
     return mistake ? mistake->cause.slug : "";
 }
 

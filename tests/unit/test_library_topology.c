@@ -33,7 +33,7 @@ static struct face_topology build(const struct face_table *table)
 static void assert_as_checked(const struct mesh *mesh)
 {
     struct topology found;
-    assert_int_equal(topology_of(mesh, &found, NULL), 0);
+    assert_int_equal(mesh_topology(mesh, &found, NULL), 0);
     struct face_table table = table_of(mesh);
     struct face_topology t = build(&table);
     assert_int_equal(t.broken.count, 0);

@@ -44,8 +44,8 @@ static void every_format_comes_back(void **state)
     assert_int_equal(generate_torus(&torus, 1, 500, NULL), 0);
     for (size_t i = 0; i < 3; i++) {
         struct error err = {0};
-        assert_int_equal(write_mesh(in_folder(names[i]), &torus, &err), 0);
-        assert_int_equal(read_mesh(path, &back, &err), 0);
+        assert_int_equal(mesh_file_write(in_folder(names[i]), &torus, &err), 0);
+        assert_int_equal(mesh_file_read(path, &back, &err), 0);
         assert_true(same_mesh(&torus, &back));
         mesh_release(&back);
         assert_int_equal(unlink(path), 0);
@@ -62,8 +62,8 @@ static void the_locale_changes_nothing(void **state)
         skip();
     struct mesh cube, back;
     assert_int_equal(generate_cube(&cube, NULL), 0);
-    assert_int_equal(write_mesh(in_folder("cube.off"), &cube, NULL), 0);
-    assert_int_equal(read_mesh(path, &back, NULL), 0);
+    assert_int_equal(mesh_file_write(in_folder("cube.off"), &cube, NULL), 0);
+    assert_int_equal(mesh_file_read(path, &back, NULL), 0);
     assert_true(same_mesh(&cube, &back));
     char text[8];
     snprintf(text, sizeof text, "%.1f", 0.5);
@@ -78,7 +78,7 @@ static void assert_unreadable(const char *name, const char *error)
 {
     struct mesh mesh;
     struct error err = {0};
-    assert_int_equal(read_mesh(name, &mesh, &err), -1);
+    assert_int_equal(mesh_file_read(name, &mesh, &err), -1);
     assert_non_null(strstr(err.text, error));
     assert_null(mesh.positions);
 }
@@ -114,14 +114,14 @@ static void what_cannot_be_written_is_named(void **state)
     struct mesh cube;
     struct error err = {0};
     assert_int_equal(generate_cube(&cube, NULL), 0);
-    assert_int_equal(write_mesh("cube.stl", &cube, &err), -1);
+    assert_int_equal(mesh_file_write("cube.stl", &cube, &err), -1);
     assert_non_null(strstr(err.text, "ends with .ply, .obj or .off"));
     err.text[0] = '\0';
-    assert_int_equal(write_mesh(in_folder("no/such/cube.ply"), &cube, &err), -1);
+    assert_int_equal(mesh_file_write(in_folder("no/such/cube.ply"), &cube, &err), -1);
     assert_non_null(strstr(err.text, "cube.ply: No such file or directory"));
     err.text[0] = '\0';
     assert_int_equal(symlink("/dev/full", in_folder("full.ply")), 0);
-    assert_int_equal(write_mesh(path, &cube, &err), -1);
+    assert_int_equal(mesh_file_write(path, &cube, &err), -1);
     assert_non_null(strstr(err.text, "full.ply: writing a mesh: No space left on device"));
     assert_int_equal(unlink(path), 0);
     mesh_release(&cube);

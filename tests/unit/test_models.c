@@ -33,9 +33,9 @@ static void assert_as_described(const struct row *row)
     struct topology found;
     struct error err = {0};
     snprintf(path, sizeof path, "exercises/models/%s", row->name);
-    if (read_mesh(path, &mesh, &err))
+    if (mesh_file_read(path, &mesh, &err))
         fail_msg("%s", err.text);
-    assert_int_equal(topology_of(&mesh, &found, NULL), 0);
+    assert_int_equal(mesh_topology(&mesh, &found, NULL), 0);
     assert_int_equal(found.vertex_count, row->vertices);
     assert_int_equal(found.edge_count, row->edges);
     assert_int_equal(found.triangle_count, row->triangles);
@@ -76,7 +76,7 @@ static void models_are_centred_and_one_unit_long(void **state)
         char path[100];
         struct mesh mesh;
         snprintf(path, sizeof path, "exercises/models/%s.ply", names[i]);
-        assert_int_equal(read_mesh(path, &mesh, NULL), 0);
+        assert_int_equal(mesh_file_read(path, &mesh, NULL), 0);
         float longest = 0.0F;
         for (int axis = 0; axis < 3; axis++) {
             float low = INFINITY, high = -INFINITY;

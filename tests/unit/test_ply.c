@@ -76,7 +76,7 @@ static void the_solid_of_quads_of_the_notes_is_read(void **state)
                 "1.1 0.0 0.0\n1.0 0.0 2.0\n1.0 0.8 1.5\n0.5 1.0 0.0\n"
                 "4 0 1 2 3\n4 7 6 5 4\n4 0 4 5 1\n4 1 5 6 2\n4 2 6 7 3\n4 3 7 4 0\n");
     struct topology found;
-    assert_int_equal(topology_of(&mesh, &found, NULL), 0);
+    assert_int_equal(mesh_topology(&mesh, &found, NULL), 0);
     assert_int_equal(mesh.triangle_count, 12);
     assert_int_equal(found.euler_characteristic, 2);
     assert_int_equal(found.boundary.count + found.incoherent.count, 0);

@@ -188,7 +188,7 @@ static struct exercise exercise_of_classes(void)
 static json_t *grade(const struct judge *judge, const double values[CASES])
 {
     struct exercise exercise = exercise_of_classes();
-    struct yardstick yardstick = {.exercise = &exercise, .judge = judge};
+    struct yardstick yardstick = {.inputs = {.exercise = &exercise, .judge = judge}};
     struct case_result results[CASES] = {{.run = false}};
     struct trial trial = {.yardstick = &yardstick, .student = "ana", .cases = results};
     struct submitter submitter = {"ana", "ana-garcia"};
@@ -212,11 +212,11 @@ static json_t *grade(const struct judge *judge, const double values[CASES])
     return result;
 }
 
-static char *print(const json_t *result, bool spanish)
+static char *print(const json_t *result, enum language language)
 {
     char *text = NULL;
     size_t length = 0;
-    struct terminal_style style = {.spanish = spanish};
+    struct terminal_style style = {.language = language};
     FILE *to = open_memstream(&text, &length);
     assert_non_null(to);
     terminal_print_result(to, result, &style);
@@ -250,19 +250,19 @@ static void the_terminal_tells_it(void **state)
 {
     (void)state;
     json_t *result = grade(&less, poor);
-    char *text = print(result, false);
+    char *text = print(result, LANGUAGE_EN);
     assert_says(text,
                 "✗ The answer is right but poor: 1.31 indices per triangle (at most 1.25).\n");
     assert_says(text, "\n  where   case strip-2 (Good strips)\n");
     assert_says(text, "\n  quality: 1.5 indices per triangle (fair 1.6, good 1.25)\n");
     free(text);
-    text = print(result, true);
+    text = print(result, LANGUAGE_ES);
     assert_says(text, "\n  calidad: 1.5 índices por triángulo (aceptable 1.6, buena 1.25)\n");
     free(text);
     json_decref(result);
 
     result = grade(&more, (const double[CASES]){3, 4, 23.125});
-    text = print(result, false);
+    text = print(result, LANGUAGE_EN);
     assert_says(text, "\n  quality: smallest angle 23.12 degrees (sound 25)\n");
     free(text);
     json_decref(result);
@@ -277,7 +277,7 @@ static void without_a_number_nothing_is_told(void **state)
 {
     (void)state;
     json_t *result = grade(&undeclared, (const double[CASES]){-2, -2, -2});
-    char *text = print(result, false);
+    char *text = print(result, LANGUAGE_EN);
     assert_null(strstr(text, "quality:"));
     assert_null(json_object_get(json_object_get(result, "measures"), "quality"));
     assert_null(json_object_get(json_array_get(json_object_get(result, "cases"), 0), "quality"));

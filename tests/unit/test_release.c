@@ -52,8 +52,8 @@ static void test_trial_without_memory(void **state)
     static const struct trial_scope scope;
     struct error err = {""};
     (void)state;
-    yardstick.judge = &judge;
-    yardstick.exercise = &exercise;
+    yardstick.inputs.judge = &judge;
+    yardstick.inputs.exercise = &exercise;
     assert_int_equal(trial_run(&trial, &yardstick, "ana", NULL, 0, &scope, &err), -1);
     assert_string_equal(err.text, "out of memory");
     trial_release(&trial);

@@ -130,7 +130,7 @@ static void test_the_class_page_says_what_matters(void **state)
     char *text = sample_read(out, "index.html");
     assert_non_null(strstr(text, "duplicate edge"));
     assert_non_null(strstr(text, "Ana García Ñíguez"));
-    assert_non_null(strstr(text, "landlock: the kernel has no Landlock"));
+    assert_non_null(strstr(text, "Landlock (files): the kernel has no Landlock"));
     assert_non_null(strstr(text, "cache-misses: valgrind is not installed"));
     assert_non_null(strstr(text, "The judge did not answer, twice"));
     assert_non_null(strstr(text, "href=\"students/ana-garcia.html#edge-table-any\""));
@@ -274,6 +274,41 @@ static void test_what_was_not_measured_is_listed(void **state)
     sample_remove(out);
 }
 
+/* A layer and its reason, a probe and its; those of earlier versions are plain strings. */
+static void test_protections_are_told_in_both_languages(void **state)
+{
+    (void)state;
+    char out[64];
+    sample_copy(out);
+    json_t *result = sample_result("ana-garcia", "mesh-area");
+    json_object_set_new(result, "protections",
+                        json_pack("{s:[s, s], s:{s:{s:s, s:s}, s:s}}", "active", "rlimits",
+                                  "unheard-of", "inactive", "landlock", "en", "switched off", "es",
+                                  "desactivada", "seccomp-names", "old"));
+    json_object_set_new(result, "not_measured",
+                        json_pack("[{s:{s:s, s:s}, s:{s:s, s:s}}]", "name", "en", "counts", "es",
+                                  "cuentas", "reason", "en", "no valgrind", "es", "sin valgrind"));
+    sample_store(out, result);
+    json_decref(result);
+    make_pages(out);
+    char *text = sample_read(out, "students/ana-garcia.html");
+    static const char *const told[] = {
+        ">resource limits<",
+        ">límites de recursos<",
+        ">unheard-of<",
+        ">Landlock (files): switched off<",
+        ">Landlock (archivos): desactivada<",
+        ">nombres de las llamadas rechazadas: old<",
+        ">counts: no valgrind<",
+        ">cuentas: sin valgrind<",
+    };
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++)
+        if (!strstr(text, told[i]))
+            fail_msg("not on the page: %s", told[i]);
+    free(text);
+    sample_remove(out);
+}
+
 static void test_the_reason_for_missing_pictures_is_on_the_pages(void **state)
 {
     (void)state;
@@ -340,6 +375,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_pictures_follow_the_language),
         cmocka_unit_test(test_what_was_not_run_is_said_with_its_reason),
         cmocka_unit_test(test_what_was_not_measured_is_listed),
+        cmocka_unit_test(test_protections_are_told_in_both_languages),
         cmocka_unit_test(test_the_reason_for_missing_pictures_is_on_the_pages),
         cmocka_unit_test(test_unsound_input_makes_no_page),
     };

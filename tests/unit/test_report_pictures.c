@@ -103,6 +103,8 @@ static void test_scenes_are_drawn_once(void **state)
     assert_non_null(strstr(jobs, "\"scene\":\"ana-garcia/edge-table-any/disc.json\""));
     assert_non_null(strstr(jobs, "\"en\":\"edge-table-any: duplicate edge (2 of 7)\""));
     assert_non_null(strstr(jobs, "\"es\":\"edge-table-any: arista duplicada (2 de 7)\""));
+    assert_non_null(strstr(jobs, "\"es\":\"edge-table-any: crecimiento\""));
+    assert_non_null(strstr(jobs, "\"es\":\"edge-table-any: disc\""));
     assert_non_null(strstr(jobs, "\"title\":{\"en\":\"Ana Garc"));
     free(jobs);
 

@@ -1,4 +1,5 @@
 /* Results on a terminal: three telling lines, 80 columns, nothing of others that acts. */
+#include "graders/report/check.h"
 #include "graders/report/terminal.h"
 
 #include "graders/report/clean.h"
@@ -69,7 +70,7 @@ static void test_three_lines_say_what_where_and_how(void **state)
     assert_non_null(strstr(text, "Other rejected cases\n  grid-hole: Edge (12,25)"));
     free(text);
 
-    text = print(result, (struct terminal_style){.spanish = true});
+    text = print(result, (struct terminal_style){.language = LANGUAGE_ES});
     assert_non_null(strstr(text, "  dónde   arista 41 (0,17), caso disc (Mallas abiertas)\n"));
     assert_non_null(strstr(text, "Otros casos rechazados\n"));
     free(text);
@@ -101,7 +102,7 @@ static void test_new_causes_and_nouns_read_in_both_languages(void **state)
     char *text = print(result, (struct terminal_style){0});
     assert_non_null(strstr(text, "  where   loop 0, side (1,36), case disc (Open meshes)\n"));
     free(text);
-    text = print(result, (struct terminal_style){.spanish = true});
+    text = print(result, (struct terminal_style){.language = LANGUAGE_ES});
     assert_non_null(strstr(text, "  dónde   bucle 0, lado (1,36), caso disc (Mallas abiertas)\n"));
     free(text);
     json_decref(result);
@@ -174,6 +175,27 @@ static void test_the_first_sentence_stands_alone(void **state)
     json_decref(result);
 }
 
+/* Also of a result of an earlier version, whose reasons are plain strings. */
+static void test_what_was_not_measured_is_told_in_the_language(void **state)
+{
+    (void)state;
+    json_t *result = sample_result("ana-garcia", "edge-table-any");
+    json_object_set_new(result, "not_measured",
+                        json_pack("[{s:{s:s, s:s}, s:{s:s, s:s}}, {s:s, s:s}]", "name", "en",
+                                  "counts", "es", "cuentas", "reason", "en", "no valgrind", "es",
+                                  "falta valgrind", "name", "memcheck", "reason", "none here"));
+    assert_int_equal(result_check(result, NULL), 0);
+    char *text = print(result, (struct terminal_style){0});
+    assert_non_null(strstr(text, "\n  Not measured: counts: no valgrind\n"));
+    assert_non_null(strstr(text, "\n  Not measured: memcheck: none here\n"));
+    free(text);
+    text = print(result, (struct terminal_style){.language = LANGUAGE_ES});
+    assert_non_null(strstr(text, "\n  No medido: cuentas: falta valgrind\n"));
+    assert_non_null(strstr(text, "\n  No medido: memcheck: none here\n"));
+    free(text);
+    json_decref(result);
+}
+
 static void test_every_verdict_fits_and_is_inert(void **state)
 {
     (void)state;
@@ -182,8 +204,9 @@ static void test_every_verdict_fits_and_is_inert(void **state)
     json_t *all = json_array();
     for (size_t i = 0; i < found.gl_pathc; i++) {
         json_t *result = json_load_file(found.gl_pathv[i], JSON_ALLOW_NUL, NULL);
-        for (int spanish = 0; spanish < 2; spanish++) {
-            char *text = print(result, (struct terminal_style){.spanish = spanish});
+        for (int language = 0; language < LANGUAGE_COUNT; language++) {
+            char *text =
+                print(result, (struct terminal_style){.language = (enum language)language});
             assert_fits(text);
             assert_inert(text);
             free(text);
@@ -244,11 +267,11 @@ static size_t count_of(const char *text, const char *what)
     return count;
 }
 
-static void assert_table(size_t count, bool has_problems, bool spanish)
+static void assert_table(size_t count, bool has_problems, enum language language)
 {
     char total[32];
     json_t *all = make_class(count, has_problems);
-    char *text = print(all, (struct terminal_style){.spanish = spanish});
+    char *text = print(all, (struct terminal_style){.language = language});
     assert_fits(text);
     assert_int_equal(count_of(text, "◐ 8.25"), 2 * count);
     size_t blocks = (count + 6) / 7;
@@ -269,8 +292,8 @@ static void test_the_table_of_marks_fits_up_to_80_exercises(void **state)
 {
     (void)state;
     for (size_t count = 1; count <= 80; count++) {
-        assert_table(count, true, false);
-        assert_table(count, false, true);
+        assert_table(count, true, LANGUAGE_EN);
+        assert_table(count, false, LANGUAGE_ES);
     }
 }
 
@@ -282,6 +305,7 @@ int main(void)
         cmocka_unit_test(test_checks_that_were_not_reached_say_why),
         cmocka_unit_test(test_a_long_message_is_cut_and_then_told_whole),
         cmocka_unit_test(test_the_first_sentence_stands_alone),
+        cmocka_unit_test(test_what_was_not_measured_is_told_in_the_language),
         cmocka_unit_test(test_every_verdict_fits_and_is_inert),
         cmocka_unit_test(test_colour_only_when_asked_for),
         cmocka_unit_test(test_the_table_of_marks_fits_up_to_80_exercises),

@@ -116,7 +116,7 @@ static void descriptions_are_whole(void **state)
 static void one_formula_gives_the_bytes(struct representation_trial *trial)
 {
     struct topology topology;
-    require(topology_of(&trial->mesh, &topology, NULL) == 0, "there is memory");
+    require(mesh_topology(&trial->mesh, &topology, NULL) == 0, "there is memory");
     struct mesh_counts counts = representation_counts(trial->kind, trial->self, &topology);
     require(trial->kind->formula_bytes(&counts) == trial->kind->bytes(trial->self),
             "the formula gives the bytes");
@@ -286,7 +286,7 @@ static void one_has_loops(struct representation_trial *trial)
                 "loops have all boundary edges");
         require_loops(trial, vertices, starts, count, seen);
         struct topology topology;
-        require(topology_of(&trial->back, &topology, NULL) == 0, "there is memory");
+        require(mesh_topology(&trial->back, &topology, NULL) == 0, "there is memory");
         require(topology.nonmanifold_vertex.count > 0 || count == topology.boundary_loop_count,
                 "the number of loops is right");
     }

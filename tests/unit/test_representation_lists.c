@@ -380,8 +380,8 @@ static void double_edges_are_found(void **state)
     (void)state;
     const int32_t pairs[8] = {0, 1, 1, 2, 2, 0, 2, 1};
     struct error err = {0};
-    assert_int_equal(check_edges_differ(pairs, 2, 3, 3, NULL), 0);
-    assert_int_equal(check_edges_differ(pairs, 2, 4, 3, &err), -1);
+    assert_int_equal(edge_numbers_check(pairs, 2, 3, 3, NULL), 0);
+    assert_int_equal(edge_numbers_check(pairs, 2, 4, 3, &err), -1);
     assert_string_equal(err.text, "edges 1 and 3 both join vertices 2 and 1");
 }
 

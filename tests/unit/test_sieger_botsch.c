@@ -139,8 +139,8 @@ static void subdivision_triples_the_faces(void **state)
     for (int which = 0; which < MESHES; which++) {
         struct mesh mesh = sample(which), finer = done_by_all(&mesh, PAPER_SUBDIVISION);
         struct topology before, after;
-        assert_int_equal(topology_of(&mesh, &before, NULL), 0);
-        assert_int_equal(topology_of(&finer, &after, NULL), 0);
+        assert_int_equal(mesh_topology(&mesh, &before, NULL), 0);
+        assert_int_equal(mesh_topology(&finer, &after, NULL), 0);
         assert_int_equal(after.triangle_count, 3 * before.triangle_count);
         assert_int_equal(after.vertex_count, before.vertex_count + before.triangle_count);
         assert_int_equal(after.edge_count, before.edge_count + 3 * before.triangle_count);

@@ -17,7 +17,7 @@ static struct topology topology(const struct mesh *mesh)
 {
     struct topology found;
     assert_int_equal(mesh_check(mesh, NULL), 0);
-    assert_int_equal(topology_of(mesh, &found, NULL), 0);
+    assert_int_equal(mesh_topology(mesh, &found, NULL), 0);
     return found;
 }
 

@@ -23,15 +23,15 @@ static json_t *family_json(const struct trial *trial, int family)
     for (int i = 0; i < found->size_count; i++) {
         if (!found->costs[i].counted)
             continue;
-        json_array_append_new(sizes, json_integer(yardstick->sizes[i]));
+        json_array_append_new(sizes, json_integer(yardstick->inputs.sizes[i]));
         json_array_append_new(mine, json_integer(found->costs[i].counts.instructions));
         if (yardstick->costs[family][i].counted)
             json_array_append_new(theirs,
                                   json_integer(yardstick->costs[family][i].counts.instructions));
     }
-    json_t *json =
-        json_pack("{s:s, s:o, s:o, s:o}", "name", judge_family_name(yardstick->judge, family),
-                  "sizes", sizes, "instructions", mine, "reference_instructions", theirs);
+    json_t *json = json_pack("{s:s, s:o, s:o, s:o}", "name",
+                             judge_family_name(yardstick->inputs.judge, family), "sizes", sizes,
+                             "instructions", mine, "reference_instructions", theirs);
     if (found->fitted)
         json_object_set_new(json, "fit", fit_json(&found->fit));
     return json;
@@ -39,9 +39,9 @@ static json_t *family_json(const struct trial *trial, int family)
 
 static json_t *growth_json(const struct trial *trial)
 {
-    const struct exercise *exercise = trial->yardstick->exercise;
+    const struct exercise *exercise = trial->yardstick->inputs.exercise;
     json_t *families = json_array();
-    for (int family = 0; family < trial->yardstick->family_count; family++)
+    for (int family = 0; family < trial->yardstick->inputs.family_count; family++)
         if (trial->families[family].size_count > 0)
             json_array_append_new(families, family_json(trial, family));
     return json_pack("{s:s, s:{s:s, s:s}, s:o}", "allowed", exercise->growth_allowed, "elements",
@@ -53,34 +53,36 @@ static json_t *family_memory_json(const struct trial *trial, int family)
 {
     const struct yardstick *yardstick = trial->yardstick;
     json_t *sizes = json_array(), *mine = json_array(), *theirs = json_array();
-    for (int i = 0; i < yardstick->size_count; i++) {
+    for (int i = 0; i < yardstick->inputs.size_count; i++) {
         const struct cost *cost = &trial->families[family].costs[i];
-        json_array_append_new(sizes, json_integer(yardstick->sizes[i]));
+        json_array_append_new(sizes, json_integer(yardstick->inputs.sizes[i]));
         json_array_append_new(mine, json_integer(cost->heap_peak_bytes));
         json_array_append_new(theirs, json_integer(yardstick->costs[family][i].heap_peak_bytes));
     }
-    return json_pack("{s:s, s:o, s:o, s:o}", "name", judge_family_name(yardstick->judge, family),
-                     "sizes", sizes, "peak_bytes", mine, "reference_peak_bytes", theirs);
+    return json_pack("{s:s, s:o, s:o, s:o}", "name",
+                     judge_family_name(yardstick->inputs.judge, family), "sizes", sizes,
+                     "peak_bytes", mine, "reference_peak_bytes", theirs);
 }
 
 static json_t *memory_json(const struct trial *trial)
 {
     const struct yardstick *yardstick = trial->yardstick;
-    int largest = yardstick->size_count - 1, family = trial->memory_family;
+    int largest = yardstick->inputs.size_count - 1, family = trial->memory_family;
     json_t *families = json_array();
     json_array_append_new(families, family_memory_json(trial, family)); /* what decides is first */
-    for (int i = 0; i < yardstick->family_count; i++)
+    for (int i = 0; i < yardstick->inputs.family_count; i++)
         if (i != family)
             json_array_append_new(families, family_memory_json(trial, i));
     const struct cost *mine = &trial->families[family].costs[largest];
     const struct cost *theirs = &yardstick->costs[family][largest];
-    return json_pack(
-        "{s:o, s:I, s:I, s:I, s:o, s:o, s:I, s:I, s:I}", "families", families, "size",
-        (json_int_t)yardstick->sizes[largest], "peak_bytes", (json_int_t)mine->heap_peak_bytes,
-        "reference_peak_bytes", (json_int_t)theirs->heap_peak_bytes, "ratio",
-        rounded(trial->memory_ratio), "band", rounded(yardstick->exercise->memory_band),
-        "allocations", (json_int_t)mine->allocation_count, "stack_bytes",
-        (json_int_t)mine->stack_bytes, "static_bytes", (json_int_t)trial->build.static_bytes);
+    return json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:I, s:I, s:I}", "families", families, "size",
+                     (json_int_t)yardstick->inputs.sizes[largest], "peak_bytes",
+                     (json_int_t)mine->heap_peak_bytes, "reference_peak_bytes",
+                     (json_int_t)theirs->heap_peak_bytes, "ratio", rounded(trial->memory_ratio),
+                     "band", rounded(yardstick->inputs.exercise->memory_band), "allocations",
+                     (json_int_t)mine->allocation_count, "stack_bytes",
+                     (json_int_t)mine->stack_bytes, "static_bytes",
+                     (json_int_t)trial->build.static_bytes);
 }
 
 static struct phrase class_title(const struct exercise *exercise, const char *name)
@@ -99,11 +101,11 @@ static json_t *phrase_json(struct phrase phrase)
 
 static json_t *bands_json(const struct trial *trial)
 {
-    const struct quality_rule *rule = &trial->yardstick->judge->quality;
+    const struct quality_rule *rule = &trial->yardstick->inputs.judge->quality;
     json_t *bands = json_array();
     for (int i = 0; i < quality_band_count(rule); i++) {
         const struct quality_band *band = &rule->bands[i];
-        struct phrase title = class_title(trial->yardstick->exercise, band->class_name);
+        struct phrase title = class_title(trial->yardstick->inputs.exercise, band->class_name);
         json_array_append_new(bands, json_pack("{s:s, s:o, s:f}", "class", band->class_name, "name",
                                                phrase_json(quality_band_name(band, title)), "limit",
                                                band->limit));
@@ -116,7 +118,7 @@ static json_t *bands_json(const struct trial *trial)
  */
 static const struct attempt *worst_of(const struct trial *trial, bool of_bands)
 {
-    const struct judge *judge = trial->yardstick->judge;
+    const struct judge *judge = trial->yardstick->inputs.judge;
     const struct attempt *worst = NULL;
     for (size_t i = 0; i < judge->case_count; i++) {
         const struct attempt *attempt = &trial->cases[i].attempt;
@@ -131,7 +133,7 @@ static const struct attempt *worst_of(const struct trial *trial, bool of_bands)
 /* NULL when no case has a number. */
 static json_t *quality_json(const struct trial *trial)
 {
-    const struct quality_rule *rule = &trial->yardstick->judge->quality;
+    const struct quality_rule *rule = &trial->yardstick->inputs.judge->quality;
     const struct attempt *worst = worst_of(trial, true);
     if (!worst)
         worst = worst_of(trial, false);
@@ -153,7 +155,7 @@ json_t *measures_json(const struct trial *trial)
     if (trial->work_ratio > 0)
         json_object_set_new(measures, "work",
                             json_pack("{s:o, s:o, s:o, s:o}", "ratio", rounded(trial->work_ratio),
-                                      "band", rounded(trial->yardstick->exercise->work_band),
+                                      "band", rounded(trial->yardstick->inputs.exercise->work_band),
                                       "instruction_ratio", rounded(trial->instruction_ratio),
                                       "miss_ratio", rounded(trial->miss_ratio)));
     if (trial->memory_ratio > 0)

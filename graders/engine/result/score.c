@@ -7,6 +7,7 @@
 #include "graders/engine/result/score.h"
 
 #include "graders/engine/result/measures.h"
+#include "graders/engine/run/cases.h"
 
 #include <limits.h>
 #include <math.h>
@@ -89,6 +90,11 @@ static json_t *submission_json(const struct trial *trial)
     return json_pack("{s:o}", "files", files);
 }
 
+static json_t *reason_json(const struct box_reason *reason)
+{
+    return phrase_json((struct phrase){reason->en, reason->es});
+}
+
 static json_t *protections_json(const struct trial *trial)
 {
     json_t *active = json_array(), *inactive = json_object();
@@ -97,25 +103,27 @@ static json_t *protections_json(const struct trial *trial)
         if (trial->active_layers >> layer & 1)
             json_array_append_new(active, json_string(name));
         else
-            json_object_set_new(inactive, name, json_string(trial->layer_reason[layer]));
+            json_object_set_new(inactive, name, reason_json(&trial->layer_reasons[layer]));
     }
     return json_pack("{s:o, s:o}", "active", active, "inactive", inactive);
 }
 
 static json_t *not_measured_json(const struct trial *trial)
 {
+    static const struct phrase by_valgrind = {"counted work and memcheck",
+                                              "trabajo contado y memcheck"};
     json_t *list = json_array();
     const struct probes *probes = &trial->yardstick->probes;
     if (!probes->valgrind)
-        json_array_append_new(list, json_pack("{s:s, s:s}", "name", "counted work and memcheck",
-                                              "reason", probes->valgrind_reason));
+        json_array_append_new(list, json_pack("{s:o, s:o}", "name", phrase_json(by_valgrind),
+                                              "reason", phrase_json(probes->no_valgrind)));
     return list;
 }
 
 static json_t *engine_json(const struct trial *trial)
 {
     char seed[32];
-    snprintf(seed, sizeof seed, "%u", trial->yardstick->class_seed);
+    snprintf(seed, sizeof seed, "%u", trial->yardstick->inputs.class_seed);
     return json_pack("{s:s, s:s, s:s}", "version", MESHGRADE_VERSION, "compiler",
                      "gcc " __VERSION__, "seed", seed);
 }
@@ -126,8 +134,8 @@ static json_t *engine_json(const struct trial *trial)
 static void describe_scene(const struct trial *trial, size_t index, const char *seed,
                            const char *student)
 {
-    const struct judge_case *c = &trial->yardstick->judge->cases[index];
-    const struct exercise *exercise = trial->yardstick->exercise;
+    const struct judge_case *c = &trial->yardstick->inputs.judge->cases[index];
+    const struct exercise *exercise = trial->yardstick->inputs.exercise;
     const struct attempt *attempt = &trial->cases[index].attempt;
     struct message title;
     message_set_phrase(&title, message_phrase(&exercise->title));
@@ -145,15 +153,16 @@ static void write_seed_option(const struct yardstick *yardstick, const struct ju
                               char *text, size_t capacity)
 {
     size_t used = strlen(text);
-    if (yardstick->class_seed != SEED_PUBLISHED && !judge_case_is_public(c) && used < capacity)
-        snprintf(text + used, capacity - used, " --seed %u", yardstick->class_seed);
+    if (yardstick->inputs.class_seed != SEED_PUBLISHED && !judge_case_is_public(c) &&
+        used < capacity)
+        snprintf(text + used, capacity - used, " --seed %u", yardstick->inputs.class_seed);
 }
 
 static json_t *case_json(struct trial *trial, size_t index, const struct submitter *submitter,
                          json_t *scenes)
 {
-    const struct judge_case *c = &trial->yardstick->judge->cases[index];
-    const char *exercise = trial->yardstick->exercise->name;
+    const struct judge_case *c = &trial->yardstick->inputs.judge->cases[index];
+    const char *exercise = trial->yardstick->inputs.exercise->name;
     struct attempt *attempt = &trial->cases[index].attempt;
     bool rejected = attempt->verdict != VERDICT_PASSED;
     char seed[32], reproduce[256], picture[512];
@@ -184,7 +193,7 @@ static json_t *case_json(struct trial *trial, size_t index, const struct submitt
 static json_t *class_json(const struct trial *trial, const struct exercise_class *class,
                           double *score)
 {
-    const struct judge *judge = trial->yardstick->judge;
+    const struct judge *judge = trial->yardstick->inputs.judge;
     int passed = 0, count = 0;
     for (size_t i = 0; i < judge->case_count; i++) {
         if (!trial->cases[i].run || strcmp(judge->cases[i].class_name, class->name) != 0)
@@ -202,10 +211,10 @@ static json_t *class_json(const struct trial *trial, const struct exercise_class
 /* `check` looks at less than `grade`: what it leaves out neither gives nor costs points. */
 static bool class_is_in_scope(const struct trial *trial, const struct exercise_class *class)
 {
-    const struct judge *judge = trial->yardstick->judge;
+    const struct judge *judge = trial->yardstick->inputs.judge;
     for (size_t i = 0; i < judge->case_count; i++)
         if (strcmp(judge->cases[i].class_name, class->name) == 0 &&
-            trial_case_in_scope(&judge->cases[i], &trial->scope))
+            cases_in_scope(&judge->cases[i], &trial->scope))
             return true;
     return false;
 }
@@ -213,18 +222,18 @@ static bool class_is_in_scope(const struct trial *trial, const struct exercise_c
 static bool check_is_in_scope(const struct trial *trial, enum check_kind check)
 {
     bool partial = trial->scope.quick || trial->scope.only_case;
-    return trial->yardstick->exercise->checked[check] && (!partial || check == CHECK_LEAK);
+    return trial->yardstick->inputs.exercise->checked[check] && (!partial || check == CHECK_LEAK);
 }
 
 static bool check_counts(const struct trial *trial, enum check_kind check)
 {
-    return trial->yardstick->exercise->checked[check] &&
-           trial->checks[check].verdict == VERDICT_PASSED && trial_basic_class_passed(trial);
+    return trial->yardstick->inputs.exercise->checked[check] &&
+           trial->checks[check].verdict == VERDICT_PASSED && cases_basic_class_passed(trial);
 }
 
 static json_t *check_json(const struct trial *trial, enum check_kind check, double *score)
 {
-    const struct exercise *exercise = trial->yardstick->exercise;
+    const struct exercise *exercise = trial->yardstick->inputs.exercise;
     const struct check_result *result = &trial->checks[check];
     static const struct check_result withheld = {
         VERDICT_NOT_REACHED,
@@ -234,7 +243,7 @@ static json_t *check_json(const struct trial *trial, enum check_kind check, doub
          "Sin puntos mientras no pase la primera clase de entradas."}};
     double points = check_counts(trial, check) ? exercise->check_points[check] : 0;
     *score += points;
-    if (result->verdict == VERDICT_PASSED && !trial_basic_class_passed(trial))
+    if (result->verdict == VERDICT_PASSED && !cases_basic_class_passed(trial))
         result = &withheld;
     json_t *json = json_pack(
         "{s:s, s:o, s:o, s:o, s:s, s:s, s:o}", "name", check_name(check), "title",
@@ -275,7 +284,7 @@ static struct cause check_cause(const struct check_result *result)
 
 static struct decision decide(const struct trial *trial)
 {
-    const struct judge *judge = trial->yardstick->judge;
+    const struct judge *judge = trial->yardstick->inputs.judge;
     struct decision decision = {VERDICT_PASSED, {"", {NULL, NULL}}, {NULL, NULL}, NULL};
     const struct refusal *refusal = &trial->build.refusal;
     if (refusal->refused) {
@@ -331,7 +340,7 @@ static json_t *header_json(const struct exercise *exercise, const struct submitt
 int score_trial(struct trial *trial, const struct submitter *submitter, struct outcome *outcome,
                 struct error *err)
 {
-    const struct exercise *exercise = trial->yardstick->exercise;
+    const struct exercise *exercise = trial->yardstick->inputs.exercise;
     struct decision decision = decide(trial);
     json_t *classes = json_array(), *checks = json_array(), *cases = json_array();
     double score = 0, max_score = 0;
@@ -348,7 +357,7 @@ int score_trial(struct trial *trial, const struct submitter *submitter, struct o
         json_array_append_new(checks, check_json(trial, (enum check_kind)check, &score));
         max_score += exercise->check_points[check];
     }
-    for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
+    for (size_t i = 0; i < trial->yardstick->inputs.judge->case_count; i++)
         if (trial->cases[i].run)
             json_array_append_new(cases, case_json(trial, i, submitter, outcome->scenes));
     outcome->result = header_json(exercise, submitter, &decision);

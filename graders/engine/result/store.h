@@ -19,7 +19,7 @@ struct store {
 int store_open(struct store *store, const char *out, struct error *err) MUST_CHECK;
 void store_close(struct store *store);
 
-/* The seed of the class (yardstick.h), which its first grading draws and all others keep, so that
+/* The seed of the class (inputs.h), which its first grading draws and all others keep, so that
  * the same files get the same marks.
  *
  * wanted   the seed to grade with, or SEED_PUBLISHED: the store's own, or one drawn anew

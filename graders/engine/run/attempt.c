@@ -248,7 +248,7 @@ void attempt_take(struct attempt *attempt, struct examination *examination)
 }
 
 /* `c` is the case whose class's band counts, NULL: none. */
-static int judge_call(const struct yardstick *yardstick, const struct judge_case *c,
+static int judge_call(const struct inputs *inputs, const struct judge_case *c,
                       const struct input *input, const struct session *session,
                       struct attempt *attempt, struct error *err)
 {
@@ -262,7 +262,7 @@ static int judge_call(const struct yardstick *yardstick, const struct judge_case
     struct usage usage = usage_of(&attempt->claims);
     usage.known = !attempt->uncounted;
     struct examination examination;
-    int result = examine(yardstick->judge, c, (struct span){input->region.bytes, input->bytes},
+    int result = examine(inputs->judge, c, (struct span){input->region.bytes, input->bytes},
                          (struct span){copy, count}, &usage, &examination, err);
     free(copy);
     if (result != 0)
@@ -272,18 +272,18 @@ static int judge_call(const struct yardstick *yardstick, const struct judge_case
     return 0;
 }
 
-int attempt_judge(const struct yardstick *yardstick, const struct input *input,
+int attempt_judge(const struct inputs *inputs, const struct input *input,
                   const struct session *session, struct attempt *attempt, struct error *err)
 {
-    return judge_call(yardstick, NULL, input, session, attempt, err);
+    return judge_call(inputs, NULL, input, session, attempt, err);
 }
 
 /* --------------------------------------------------------------------- run */
 
-static int start(const struct yardstick *yardstick, const struct build *build,
-                 const struct input *input, struct session *session, struct error *err)
+static int start(const struct inputs *inputs, const struct build *build, const struct input *input,
+                 struct session *session, struct error *err)
 {
-    int64_t heap_limit = yardstick->exercise->memory_limit_bytes;
+    int64_t heap_limit = inputs->exercise->memory_limit_bytes;
     struct session_plan plan = {
         .profile = BOX_RUN,
         .program_fd = build->program_fd[PROGRAM_PLAIN],
@@ -299,14 +299,14 @@ static int start(const struct yardstick *yardstick, const struct build *build,
     return session_start(session, &plan, err);
 }
 
-int attempt_run(const struct yardstick *yardstick, const struct build *build, size_t index,
+int attempt_run(const struct inputs *inputs, const struct build *build, size_t index,
                 const struct call_limits *limits, struct attempt *attempt, struct error *err)
 {
-    const struct judge_case *c = &yardstick->judge->cases[index];
-    const struct input *input = &yardstick->cases[index];
+    const struct judge_case *c = &inputs->judge->cases[index];
+    const struct input *input = &inputs->cases[index];
     struct session session;
     memset(attempt, 0, sizeof *attempt);
-    if (start(yardstick, build, input, &session, err) != 0)
+    if (start(inputs, build, input, &session, err) != 0)
         return -1;
     enum call_end end = session_call(&session, input->bytes, 0, limits);
     attempt->claims = session.claims;
@@ -314,7 +314,7 @@ int attempt_run(const struct yardstick *yardstick, const struct build *build, si
     int result = session_end(&session, &attempt->outcome, err);
     session_output(&session, attempt->output, sizeof attempt->output);
     if (result == 0 && end == CALL_ANSWERED)
-        result = judge_call(yardstick, c, input, &session, attempt, err);
+        result = judge_call(inputs, c, input, &session, attempt, err);
     else if (result == 0)
         result = attempt_explain_death(end, &attempt->claims, &attempt->outcome, attempt, err);
     session_release(&session);

@@ -3,9 +3,10 @@
 #define GRADERS_ENGINE_RUN_ATTEMPT_H
 
 #include "graders/engine/base/verdict.h"
+#include "graders/engine/build/build.h"
 #include "graders/engine/run/examine.h"
+#include "graders/engine/run/inputs.h"
 #include "graders/engine/run/session.h"
-#include "graders/engine/run/yardstick.h"
 #include "reference/base/phrase.h"
 
 enum { ATTEMPT_OUTPUT = 4096 };
@@ -31,7 +32,7 @@ struct attempt {
  *
  * limits   of CPU and idle time
  * returns  0, or -1 and *err: a fault. attempt_release must follow. */
-int attempt_run(const struct yardstick *yardstick, const struct build *build, size_t index,
+int attempt_run(const struct inputs *inputs, const struct build *build, size_t index,
                 const struct call_limits *limits, struct attempt *attempt,
                 struct error *err) MUST_CHECK;
 
@@ -39,7 +40,7 @@ int attempt_run(const struct yardstick *yardstick, const struct build *build, si
  * the judge.
  *
  * attempt->claims must be filled; verdict, texts and scene are set */
-int attempt_judge(const struct yardstick *yardstick, const struct input *input,
+int attempt_judge(const struct inputs *inputs, const struct input *input,
                   const struct session *session, struct attempt *attempt,
                   struct error *err) MUST_CHECK;
 

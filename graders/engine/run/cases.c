@@ -1,5 +1,5 @@
-/* The cases of a trial: each in a fresh box; see trial.h. */
-#include "graders/engine/run/trial.h"
+/* The cases of a trial; see cases.h. */
+#include "graders/engine/run/cases.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -10,7 +10,7 @@ enum {
 };
 static const int64_t IDLE_LIMIT_NS = 2000000000;
 
-bool trial_case_in_scope(const struct judge_case *c, const struct trial_scope *scope)
+bool cases_in_scope(const struct judge_case *c, const struct trial_scope *scope)
 {
     if (scope->only_case)
         return strcmp(c->name, scope->only_case) == 0;
@@ -29,7 +29,7 @@ static int run_once(struct trial *trial, size_t index, int multiple, struct atte
 {
     struct call_limits limits = {multiple * yardstick_cpu_limit_ns(trial->yardstick, index),
                                  IDLE_LIMIT_NS};
-    return attempt_run(trial->yardstick, &trial->build, index, &limits, attempt, err);
+    return attempt_run(&trial->yardstick->inputs, &trial->build, index, &limits, attempt, err);
 }
 
 /* The limit as its rule: seconds were measured, and would differ between runs. */
@@ -70,22 +70,22 @@ static int run_case(struct trial *trial, size_t index, bool patient, struct atte
 static void remember_surroundings(struct trial *trial, const struct attempt *attempt)
 {
     trial->active_layers = attempt->outcome.active;
-    memcpy(trial->layer_reason, attempt->outcome.reason, sizeof trial->layer_reason);
+    memcpy(trial->layer_reasons, attempt->outcome.reason, sizeof trial->layer_reasons);
     if (!trial->output[0])
         snprintf(trial->output, sizeof trial->output, "%s", attempt->output);
 }
 
-int trial_run_cases(struct trial *trial, struct error *err)
+int cases_run(struct trial *trial, struct error *err)
 {
-    const struct judge *judge = trial->yardstick->judge;
+    const struct judge *judge = trial->yardstick->inputs.judge;
     int time_limits = 0;
     for (size_t i = 0; i < judge->case_count; i++) {
         struct attempt *attempt = &trial->cases[i].attempt;
-        if (!trial_case_in_scope(&judge->cases[i], &trial->scope))
+        if (!cases_in_scope(&judge->cases[i], &trial->scope))
             continue;
         trial->cases[i].run = true;
         if (time_limits >= TIME_LIMITS_TO_STOP) {
-            attempt_say(attempt, VERDICT_NOT_REACHED, &trial_not_reached,
+            attempt_say(attempt, VERDICT_NOT_REACHED, &check_not_reached,
                         "Not run: %d cases before it did not end in time.",
                         "No se ejecutó: %d casos anteriores no terminaron a tiempo.", time_limits);
             continue;
@@ -98,10 +98,10 @@ int trial_run_cases(struct trial *trial, struct error *err)
     return 0;
 }
 
-bool trial_basic_class_passed(const struct trial *trial)
+bool cases_basic_class_passed(const struct trial *trial)
 {
-    const struct judge *judge = trial->yardstick->judge;
-    const char *basic = trial->yardstick->exercise->classes[0].name;
+    const struct judge *judge = trial->yardstick->inputs.judge;
+    const char *basic = trial->yardstick->inputs.exercise->classes[0].name;
     bool any = false;
     for (size_t i = 0; i < judge->case_count; i++) {
         if (!trial->cases[i].run || strcmp(judge->cases[i].class_name, basic) != 0)
@@ -113,9 +113,9 @@ bool trial_basic_class_passed(const struct trial *trial)
     return any;
 }
 
-bool trial_any_case_failed(const struct trial *trial)
+bool cases_any_failed(const struct trial *trial)
 {
-    for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
+    for (size_t i = 0; i < trial->yardstick->inputs.judge->case_count; i++)
         if (trial->cases[i].run && !attempt_is_right(&trial->cases[i].attempt))
             return true;
     return false;

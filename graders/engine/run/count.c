@@ -26,30 +26,31 @@ static const double LEAP_RISE = 2.5;      /* sorting has 2.2; more may be n^2, d
 static const struct call_limits native_limits = {10000000000LL, 2000000000LL};
 static const struct call_limits counted_limits = {120000000000LL, 10000000000LL};
 
-bool count_available(char *reason, size_t capacity)
+bool count_available(struct phrase *why_not)
 {
+    static const struct phrase absent = {"valgrind is not installed (apt-get install valgrind)",
+                                         "valgrind no está instalado (apt-get install valgrind)"};
     bool found = access("/usr/bin/valgrind", X_OK) == 0;
-    snprintf(reason, capacity, "%s",
-             found ? "" : "valgrind is not installed (apt-get install valgrind)");
+    *why_not = found ? (struct phrase){NULL, NULL} : absent;
     return found;
 }
 
 /* What is being measured, and of whom. */
 struct measuring {
-    struct yardstick *yardstick;
+    struct series series;
+    struct inputs *inputs;
     const struct build *build;
     const struct count_plan *plan;
-    enum series_tool tool;
-    struct series series;
-    uint32_t family_pages; /* of the input region, for each family */
     struct cost *const *costs;
     struct count_run *run;
+    enum series_tool tool;
+    uint32_t family_pages; /* of the input region, for each family */
 };
 
 static int start(struct measuring *m, struct error *err)
 {
     const struct count_plan *sizes = m->plan;
-    struct series_plan plan = {.yardstick = m->yardstick,
+    struct series_plan plan = {.inputs = m->inputs,
                                .build = m->build,
                                .tool = m->tool,
                                .mode = m->tool == SERIES_PLAIN ? MODE_PAINT_STACK : MODE_PLAIN,
@@ -57,7 +58,7 @@ static int start(struct measuring *m, struct error *err)
     for (int family = sizes->first_family; family <= sizes->last_family; family++)
         for (int i = sizes->first; i <= sizes->last; i++) {
             const struct input *input;
-            if (yardstick_sized(m->yardstick, family, i, &input, err) != 0)
+            if (inputs_sized(m->inputs, family, i, &input, err) != 0)
                 return -1;
             if (input->bytes > plan.input_bytes)
                 plan.input_bytes = input->bytes;
@@ -79,7 +80,7 @@ static int64_t possible(int64_t claimed, int64_t most)
 
 static int64_t possible_heap(const struct measuring *m, const struct control *claims)
 {
-    return possible(claims->heap_peak_bytes, m->yardstick->exercise->memory_limit_bytes);
+    return possible(claims->heap_peak_bytes, m->inputs->exercise->memory_limit_bytes);
 }
 
 /* What the allocator adds to blocks that all lived at once. The number of blocks is believed as far
@@ -108,11 +109,11 @@ static int measure_one(struct measuring *m, int family, int size_index, struct e
     const struct input *input;
     m->run->family = family;
     m->run->size_index = size_index;
-    if (yardstick_sized(m->yardstick, family, size_index, &input, err) != 0)
+    if (inputs_sized(m->inputs, family, size_index, &input, err) != 0)
         return -1;
     if (series_call(&m->series, input, 0, limits, &m->run->failure) != CALL_ANSWERED)
         return 0;
-    return attempt_judge(m->yardstick, input, &m->series.session, &m->run->failure, err);
+    return attempt_judge(m->inputs, input, &m->series.session, &m->run->failure, err);
 }
 
 /* Calls on the largest size, and reads from outside how much the process grew. Memory that was not
@@ -123,7 +124,7 @@ static int measure_hidden(struct measuring *m, int family, int size_index, struc
     const struct input *input;
     int64_t before = box_reset_peak(box) == 0 ? box_peak_resident_bytes(box) : -1;
     if (measure_one(m, family, size_index, err) != 0 ||
-        yardstick_sized(m->yardstick, family, size_index, &input, err) != 0)
+        inputs_sized(m->inputs, family, size_index, &input, err) != 0)
         return -1;
     int64_t after = m->series.end == CALL_ANSWERED ? box_peak_resident_bytes(box) : -1;
     int64_t growth = before >= 0 && after >= 0 ? after - before : 0;
@@ -148,9 +149,9 @@ static void charge(const struct cost *reference, const struct callgrind_dump *du
 {
     int64_t called = dump->called.instructions;
     cost->beside_instructions = dump->counts.instructions - called;
-    bool is_alone = called > 0 &&
-                    (!reference->counted || cost->beside_instructions <=
-                                                2 * reference->beside_instructions + BESIDE_SLACK);
+    bool is_alone = called > 0 && (!reference || !reference->counted ||
+                                   cost->beside_instructions <=
+                                       2 * reference->beside_instructions + BESIDE_SLACK);
     cost->counts = is_alone ? dump->called : dump->counts;
     cost->counted = true;
 }
@@ -158,11 +159,18 @@ static void charge(const struct cost *reference, const struct callgrind_dump *du
 static int take_dump(struct measuring *m, const char *trigger, struct callgrind_dump *dump,
                      struct error *err)
 {
-    const struct exercise *exercise = m->yardstick->exercise;
+    const struct exercise *exercise = m->inputs->exercise;
     const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL};
     for (int i = 0; i < exercise->function_count; i++)
         functions[i] = exercise->functions[i];
     return dumps_take(&m->series.dumps, trigger, SERIES_CALLER, functions, dump, err);
+}
+
+/* What the reference's call on the same input cost; NULL: it is not known. */
+static const struct cost *reference_cost(const struct measuring *m, int family, int size_index)
+{
+    const struct cost *of_family = m->plan->reference[family];
+    return of_family ? &of_family[size_index] : NULL;
 }
 
 static int read_counts(struct measuring *m, int family, int size_index, struct error *err)
@@ -170,7 +178,7 @@ static int read_counts(struct measuring *m, int family, int size_index, struct e
     struct callgrind_dump dump;
     if (take_dump(m, SERIES_DUMPED_CALL, &dump, err) != 0)
         return -1;
-    charge(&m->yardstick->costs[family][size_index], &dump, &m->costs[family][size_index]);
+    charge(reference_cost(m, family, size_index), &dump, &m->costs[family][size_index]);
     return 0;
 }
 
@@ -207,10 +215,10 @@ static double rise_of(const struct cost *costs, int i)
 
 static bool is_hopeless(const struct cost *costs, const struct cost *reference, int i)
 {
-    if (i < SIZES_BEFORE_HOPELESS - 1 || !costs[i - 1].counted)
+    if (!reference || i < SIZES_BEFORE_HOPELESS - 1 || !costs[i - 1].counted)
         return false;
     double ratio =
-        (double)costs[i].counts.instructions / (double)(reference[i].counts.instructions + 1);
+        (double)costs[i].counts.instructions / (double)(reference->counts.instructions + 1);
     return ratio > HOPELESS_RATIO && rise_of(costs, i) > HOPELESS_RISE;
 }
 
@@ -248,7 +256,7 @@ static int measure_family(struct measuring *m, int family, struct error *err)
             return blame_dump(&m->series, &unread, &m->run->failure, err);
         m->run->end[family] = i + 1;
         m->run->hopeless[family] =
-            m->plan->stops_early && is_hopeless(costs, m->yardstick->costs[family], i);
+            m->plan->stops_early && is_hopeless(costs, reference_cost(m, family, i), i);
     }
     return 0;
 }
@@ -274,11 +282,10 @@ static int measure(struct measuring *m, struct error *err)
     return result;
 }
 
-int count_memory(struct yardstick *yardstick, const struct build *build,
-                 const struct count_plan *plan, struct cost *const costs[FAMILIES_MAX],
-                 struct count_run *run, struct error *err)
+int count_memory(struct inputs *inputs, const struct build *build, const struct count_plan *plan,
+                 struct cost *const costs[FAMILIES_MAX], struct count_run *run, struct error *err)
 {
-    struct measuring measuring = {.yardstick = yardstick,
+    struct measuring measuring = {.inputs = inputs,
                                   .build = build,
                                   .plan = plan,
                                   .tool = SERIES_PLAIN,
@@ -287,11 +294,10 @@ int count_memory(struct yardstick *yardstick, const struct build *build,
     return measure(&measuring, err);
 }
 
-int count_work(struct yardstick *yardstick, const struct build *build,
-               const struct count_plan *plan, struct cost *const costs[FAMILIES_MAX],
-               struct count_run *run, struct error *err)
+int count_work(struct inputs *inputs, const struct build *build, const struct count_plan *plan,
+               struct cost *const costs[FAMILIES_MAX], struct count_run *run, struct error *err)
 {
-    struct measuring measuring = {.yardstick = yardstick,
+    struct measuring measuring = {.inputs = inputs,
                                   .build = build,
                                   .plan = plan,
                                   .tool =

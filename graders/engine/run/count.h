@@ -6,7 +6,18 @@
 #ifndef GRADERS_ENGINE_RUN_COUNT_H
 #define GRADERS_ENGINE_RUN_COUNT_H
 
+#include "bench/measure/callgrind.h"
 #include "graders/engine/run/attempt.h"
+
+/* What one call on a sized input cost. */
+struct cost {
+    bool counted;
+    struct callgrind_counts counts; /* without misses at the sizes that are counted only in doubt */
+    int64_t beside_instructions;    /* of the process, around the call */
+    int64_t heap_peak_bytes;
+    int64_t allocation_count;
+    int64_t stack_bytes;
+};
 
 /* What to measure: sizes first ... last of the families first_family ... last_family. */
 struct count_plan {
@@ -16,6 +27,9 @@ struct count_plan {
     bool stops_early;    /* leave out the larger sizes of a family whose work is far beyond the
                             reference's and rising; `first` must be 0 */
     bool without_misses; /* count instructions alone: half the time */
+    const struct cost
+        *reference[FAMILIES_MAX]; /* what the reference's work costs at each size; NULL
+                                                   while it is the reference that is counted */
 };
 
 /* How measuring ended. */
@@ -32,16 +46,16 @@ struct count_run {
  * costs     a family's [last + 1] each, may be NULL for those that are not measured;
  *           heap_peak_bytes, allocation_count and stack_bytes of the sizes are set
  * returns   0, or -1 and *err (a fault); release run->failure by attempt_release */
-int count_memory(struct yardstick *yardstick, const struct build *build,
-                 const struct count_plan *plan, struct cost *const costs[FAMILIES_MAX],
-                 struct count_run *run, struct error *err) MUST_CHECK;
+int count_memory(struct inputs *inputs, const struct build *build, const struct count_plan *plan,
+                 struct cost *const costs[FAMILIES_MAX], struct count_run *run,
+                 struct error *err) MUST_CHECK;
 
 /* The same under callgrind: counts are set. */
-int count_work(struct yardstick *yardstick, const struct build *build,
-               const struct count_plan *plan, struct cost *const costs[FAMILIES_MAX],
-               struct count_run *run, struct error *err) MUST_CHECK;
+int count_work(struct inputs *inputs, const struct build *build, const struct count_plan *plan,
+               struct cost *const costs[FAMILIES_MAX], struct count_run *run,
+               struct error *err) MUST_CHECK;
 
-/* Whether valgrind can be used here. Returns true, or false and says why. */
-bool count_available(char *reason, size_t capacity);
+/* Whether valgrind can be used here. Returns true, or false and why not. */
+bool count_available(struct phrase *why_not);
 
 #endif

@@ -1,4 +1,4 @@
-/* The second witness of speed; see pace.h and trial.h. It decides marks
+/* The second witness of speed; see pace.h. It decides marks
  * for speed together with the counts, and catches false counts, which come from the submission's
  * own process. */
 #include "graders/engine/run/pace.h"
@@ -17,7 +17,7 @@ static const struct call_limits limits = {30000000000LL, 5000000000LL};
 static uint64_t first_seed(const struct yardstick *yardstick, int family)
 {
     struct random rng;
-    random_init(&rng, yardstick->seed + 1 + (uint64_t)family);
+    random_init(&rng, yardstick->inputs.seed + 1 + (uint64_t)family);
     return random_next(&rng);
 }
 
@@ -26,12 +26,12 @@ static int make_fresh(struct pace *pace, struct error *err)
     const struct yardstick *yardstick = pace->trial->yardstick;
     struct input *input = &pace->fresh;
     struct writer writer = writer_growing();
-    int result =
-        judge_make_sized(yardstick->judge, pace->family, yardstick->sizes[pace->size_index],
-                         pace->seed + pace->pairs, &writer, err);
+    int result = judge_make_sized(yardstick->inputs.judge, pace->family,
+                                  yardstick->inputs.sizes[pace->size_index],
+                                  pace->seed + pace->pairs, &writer, err);
     if (result == 0 && (writer.failed || writer.count > input->region.capacity))
         result = error_set(err, "judge %s: inputs of one size differ in bytes",
-                           yardstick->judge->exercise);
+                           yardstick->inputs.judge->exercise);
     if (result == 0) {
         memcpy(input->region.bytes, writer.bytes, writer.count);
         input->bytes = writer.count;
@@ -53,8 +53,8 @@ int pace_pair(struct pace *pace, double *ratio, struct error *err)
     pace->gone = series_call(&pace->submission, &pace->fresh, 0, &limits, &mine) != CALL_ANSWERED;
     if (pace->gone)
         return 0;
-    int result =
-        attempt_judge(pace->trial->yardstick, &pace->fresh, &pace->submission.session, &mine, err);
+    int result = attempt_judge(&pace->trial->yardstick->inputs, &pace->fresh,
+                               &pace->submission.session, &mine, err);
     pace->right = result == 0 && mine.verdict == VERDICT_PASSED;
     if (theirs.cpu_ns > 0)
         *ratio = (double)mine.cpu_ns / (double)theirs.cpu_ns;
@@ -78,7 +78,7 @@ static void pin(int cpu)
 static int start_both(struct pace *pace, const struct input *sample, struct error *err)
 {
     struct trial *trial = pace->trial;
-    struct series_plan plan = {.yardstick = trial->yardstick,
+    struct series_plan plan = {.inputs = &trial->yardstick->inputs,
                                .build = &trial->yardstick->reference,
                                .tool = SERIES_PLAIN,
                                .input_bytes = sample->bytes,
@@ -94,7 +94,7 @@ static int start_both(struct pace *pace, const struct input *sample, struct erro
 int pace_size_index(const struct yardstick *yardstick)
 {
     int index = 0;
-    while (index + 1 < SIZES_MAX && yardstick->sizes[index + 1] > 0)
+    while (index + 1 < SIZES_MAX && yardstick->inputs.sizes[index + 1] > 0)
         index++;
     return index;
 }
@@ -112,7 +112,7 @@ int pace_start(struct pace *pace, struct trial *trial, int family, int size_inde
                           .submission = series_none(),
                           .fresh = {.region = {.fd = -1}}};
     sched_getaffinity(0, sizeof pace->before, &pace->before);
-    if (yardstick_sized(trial->yardstick, family, size_index, &sample, err) != 0)
+    if (inputs_sized(&trial->yardstick->inputs, family, size_index, &sample, err) != 0)
         return -1;
     pace->fresh.answer_bound = sample->answer_bound;
     if (region_make(&pace->fresh.region, sample->bytes, false, err) != 0 ||
@@ -153,8 +153,8 @@ static int add_pair(struct pace *pace, struct sign_test *test, struct error *err
     return 0;
 }
 
-int trial_is_slower(struct trial *trial, int family, int size_index, double bound, bool *slower,
-                    struct error *err)
+int pace_is_slower(struct trial *trial, int family, int size_index, double bound, bool *slower,
+                   struct error *err)
 {
     struct sign_test test = {.bound = bound};
     struct pace pace;
@@ -165,8 +165,8 @@ int trial_is_slower(struct trial *trial, int family, int size_index, double boun
     return pace_end(&pace, err) != 0 ? -1 : result;
 }
 
-int trial_time_denies(struct trial *trial, int family, int size_index, double bound, bool *denied,
-                      struct attempt *failure, struct error *err)
+int pace_time_denies(struct trial *trial, int family, int size_index, double bound, bool *denied,
+                     struct attempt *failure, struct error *err)
 {
     struct sign_test test = {.bound = bound};
     struct pace pace;

@@ -46,4 +46,20 @@ int pace_pair(struct pace *pace, double *ratio, struct error *err) MUST_CHECK;
 /* Ends both programs and lets the engine run where it could before. Returns 0, or -1 and *err. */
 int pace_end(struct pace *pace, struct error *err) MUST_CHECK;
 
+/* The second witness of speed: is the charged CPU time of this submission above `bound` times the
+ * reference's, by paired runs on the same CPU? Decided by a sequential sign test. */
+int pace_is_slower(struct trial *trial, int family, int size_index, double bound, bool *slower,
+                   struct error *err) MUST_CHECK;
+
+/* The same question about a bound that no honest submission comes near, asked of every submission:
+ * a lead of three pairs within it answers no. One pair would not do: beside other work a single run
+ * of the reference is at times charged six times what the others are, and of nine pairs that is one
+ * too often. The meshes are others than those that are counted.
+ *
+ * denied   gets whether the time is above the bound, or the submission did not answer
+ * failure  gets a wrong answer to one of the first three meshes, or one whose verdict is
+ *          VERDICT_PASSED; attempt_release must follow */
+int pace_time_denies(struct trial *trial, int family, int size_index, double bound, bool *denied,
+                     struct attempt *failure, struct error *err) MUST_CHECK;
+
 #endif

@@ -21,10 +21,12 @@ _Static_assert(SERIES_FOUND == 86, "the tools are told the code as text");
 static const char ASAN_OPTIONS[] =
     "ASAN_OPTIONS=detect_leaks=0:abort_on_error=0:exitcode=" FOUND ":handle_segv=2:handle_sigbus=2:"
     "handle_sigfpe=2:color=never:allocator_may_return_null=1:detect_stack_use_after_return=0";
+static const char MEMCHECK_EXIT_CODE[] = "--error-exitcode=" FOUND;
+static const char DUMPED_CALL[] = SERIES_DUMPED_CALL;
 
 #define COUNTING                                                                                   \
-    "/usr/bin/valgrind", "-q", "--tool=callgrind", "--vgdb=no", "--dump-line=no",                  \
-        SERIES_DUMPED_CALL, "--callgrind-out-file=/proc/self/cwd/counts"
+    "/usr/bin/valgrind", "-q", "--tool=callgrind", "--vgdb=no", "--dump-line=no", DUMPED_CALL,     \
+        "--callgrind-out-file=/proc/self/cwd/counts"
 #define COUNTED                                                                                    \
     {                                                                                              \
         "PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp",                                            \
@@ -60,7 +62,7 @@ static const struct {
     [SERIES_MEMCHECK] = {PROGRAM_CHECKED,
                          MODE_MEMCHECK,
                          {"/usr/bin/valgrind", "-q", "--tool=memcheck", "--vgdb=no",
-                          "--leak-check=no", "--num-callers=8", "--error-exitcode=" FOUND,
+                          "--leak-check=no", "--num-callers=8", MEMCHECK_EXIT_CODE,
                           "--exit-on-first-error=yes", "--max-stackframe=16777216", "./checked",
                           NULL},
                          {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp", NULL}},
@@ -109,9 +111,8 @@ int series_start(struct series *series, const struct series_plan *plan, struct e
     char linker[PATH_MAX];
     /* Half of memcheck's start is to read what it makes no use of. */
     bool hides_rest = plan->tool == SERIES_MEMCHECK && debug_file_of_linker(linker, sizeof linker);
-    int64_t heap_limit = plan->yardstick->exercise->memory_limit_bytes;
+    int64_t heap_limit = plan->inputs->exercise->memory_limit_bytes;
     *series = series_none();
-    series->yardstick = plan->yardstick;
     if (region_make(&series->input, plan->input_bytes, true, err) != 0 ||
         make_folder(series, plan, err) != 0)
         return -1;

@@ -28,7 +28,7 @@ enum { SERIES_FOUND = 86 };
 
 /* What to start. Zero it, then fill it. */
 struct series_plan {
-    const struct yardstick *yardstick;
+    const struct inputs *inputs;
     const struct build *build;
     enum series_tool tool;
     size_t input_bytes, answer_bytes; /* capacities: the largest of all calls, or more where
@@ -39,7 +39,6 @@ struct series_plan {
 };
 
 struct series {
-    const struct yardstick *yardstick;
     struct region input;
     struct session session;
     struct dumps dumps;    /* what callgrind dumped */

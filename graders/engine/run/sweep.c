@@ -1,7 +1,8 @@
 /* What does the function do when memory runs out? Some cases again, with one allocation after the
  * other refused: it must say so in the documented way (or do without), neither crash nor leak. */
+#include "graders/engine/run/sweep.h"
+
 #include "graders/engine/run/series.h"
-#include "graders/engine/run/trial.h"
 #include "reference/base/plural.h"
 
 #include <string.h>
@@ -15,12 +16,12 @@ static const struct call_limits limits = {5000000000LL, 2000000000LL};
 /* Chooses small cases with right answers that allocate, no two of the same class. */
 static int choose_cases(const struct trial *trial, size_t chosen[CASES_MAX])
 {
-    const struct judge *judge = trial->yardstick->judge;
+    const struct judge *judge = trial->yardstick->inputs.judge;
     int count = 0;
     for (size_t i = 0; i < judge->case_count && count < CASES_MAX; i++) {
         bool fits = trial->cases[i].run && attempt_is_right(&trial->cases[i].attempt) &&
                     trial->cases[i].attempt.claims.allocation_count > 0 &&
-                    trial->yardstick->cases[i].bytes <= INPUT_BYTES_MAX;
+                    trial->yardstick->inputs.cases[i].bytes <= INPUT_BYTES_MAX;
         for (int k = 0; k < count && fits; k++)
             fits = strcmp(judge->cases[chosen[k]].class_name, judge->cases[i].class_name) != 0;
         if (fits)
@@ -34,8 +35,8 @@ static int judge_call(struct trial *trial, const struct series *series, size_t i
                       long long failing, struct attempt *attempt, struct error *err)
 {
     struct check_result *check = &trial->checks[CHECK_ALLOCATION_FAILURE];
-    const char *name = trial->yardstick->judge->cases[index].name;
-    const struct input *input = &trial->yardstick->cases[index];
+    const char *name = trial->yardstick->inputs.judge->cases[index].name;
+    const struct input *input = &trial->yardstick->inputs.cases[index];
     if (series->end != CALL_ANSWERED) {
         check_say(check, VERDICT_CRASH, &refused_allocation,
                   "In case %s your function crashes when allocation number %lld fails: test what "
@@ -55,7 +56,7 @@ static int judge_call(struct trial *trial, const struct series *series, size_t i
     }
     if (attempt->claims.out_of_memory)
         return 0;
-    if (attempt_judge(trial->yardstick, input, &series->session, attempt, err) != 0)
+    if (attempt_judge(&trial->yardstick->inputs, input, &series->session, attempt, err) != 0)
         return -1;
     if (attempt->verdict != VERDICT_PASSED)
         check_say(check, VERDICT_WRONG_ANSWER, &refused_allocation,
@@ -69,11 +70,11 @@ static int judge_call(struct trial *trial, const struct series *series, size_t i
 
 static int sweep_case(struct trial *trial, size_t index, struct error *err)
 {
-    const struct input *input = &trial->yardstick->cases[index];
+    const struct input *input = &trial->yardstick->inputs.cases[index];
     int64_t allocations = trial->cases[index].attempt.claims.allocation_count;
     int64_t step = allocations > FAILURES_MAX ? allocations / FAILURES_MAX : 1;
     struct series series;
-    struct series_plan plan = {.yardstick = trial->yardstick,
+    struct series_plan plan = {.inputs = &trial->yardstick->inputs,
                                .build = &trial->build,
                                .tool = SERIES_PLAIN,
                                .input_bytes = input->bytes,
@@ -96,7 +97,7 @@ static int sweep_case(struct trial *trial, size_t index, struct error *err)
     return result;
 }
 
-int trial_check_allocation_failure(struct trial *trial, struct error *err)
+int sweep_check(struct trial *trial, struct error *err)
 {
     size_t chosen[CASES_MAX];
     struct check_result *check = &trial->checks[CHECK_ALLOCATION_FAILURE];

@@ -1,34 +1,22 @@
 /* The life of one submission after upload: build, cases, checks; see trial.h. */
 #include "graders/engine/run/trial.h"
 
+#include "graders/engine/run/cases.h"
+#include "graders/engine/run/sized.h"
+#include "graders/engine/run/sweep.h"
+#include "graders/engine/run/undefined.h"
 #include "reference/base/plural.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 
 static const struct cause leaked_blocks = {"leak", {"memory leak", "fuga de memoria"}};
 
-const struct cause trial_not_reached = {"not-reached", {"not reached", "sin examinar"}};
-
-void check_say(struct check_result *check, enum verdict verdict, const struct cause *cause,
-               const char *en, const char *es, ...)
-{
-    va_list arguments;
-    check->verdict = verdict;
-    snprintf(check->cause, sizeof check->cause, "%s", cause ? cause->slug : "");
-    message_set_phrase(&check->cause_name, cause ? cause->name : (struct phrase){NULL, NULL});
-    va_start(arguments, es);
-    message_say_list(&check->message, en, es, arguments);
-    va_end(arguments);
-}
-
 /* Leaks need no run of their own: the shim saw every case. The smallest leaking case speaks. */
 static void check_leak(struct trial *trial)
 {
-    const struct judge *judge = trial->yardstick->judge;
+    const struct judge *judge = trial->yardstick->inputs.judge;
     struct check_result *check = &trial->checks[CHECK_LEAK];
     check_say(check, VERDICT_PASSED, NULL, "Everything allocated is freed or returned.",
               "Todo lo reservado se libera o se devuelve.");
@@ -76,7 +64,7 @@ static void charge(const struct trial *trial, enum trial_stage stage, int64_t *s
 static void set_not_reached(struct trial *trial)
 {
     for (int check = 0; check < CHECK_COUNT; check++)
-        check_say(&trial->checks[check], VERDICT_NOT_REACHED, &trial_not_reached,
+        check_say(&trial->checks[check], VERDICT_NOT_REACHED, &check_not_reached,
                   "Not looked at, because something before it failed.",
                   "No se examinó, porque falló algo anterior.");
 }
@@ -99,19 +87,17 @@ static void tell_chance(struct trial *trial)
 
 static int run_checks(struct trial *trial, struct error *err)
 {
-    const struct exercise *exercise = trial->yardstick->exercise;
+    const struct exercise *exercise = trial->yardstick->inputs.exercise;
     int64_t since_ns = spent_ns();
-    if (exercise->checked[CHECK_UNDEFINED_BEHAVIOUR] &&
-        trial_check_undefined_behaviour(trial, err) != 0)
+    if (exercise->checked[CHECK_UNDEFINED_BEHAVIOUR] && undefined_check(trial, err) != 0)
         return -1;
     charge(trial, STAGE_UNDEFINED_BEHAVIOUR, &since_ns);
-    if (!trial_basic_class_passed(trial))
+    if (!cases_basic_class_passed(trial))
         return 0;
-    if (exercise->checked[CHECK_ALLOCATION_FAILURE] &&
-        trial_check_allocation_failure(trial, err) != 0)
+    if (exercise->checked[CHECK_ALLOCATION_FAILURE] && sweep_check(trial, err) != 0)
         return -1;
     charge(trial, STAGE_ALLOCATION_FAILURE, &since_ns);
-    if (exercise->checked[CHECK_GROWTH] && trial_check_growth(trial, err) != 0)
+    if (exercise->checked[CHECK_GROWTH] && sized_check(trial, err) != 0)
         return -1;
     charge(trial, STAGE_GROWTH, &since_ns);
     tell_chance(trial);
@@ -130,19 +116,19 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
     trial->source_count = source_count;
     trial->scope = *scope;
     set_not_reached(trial);
-    trial->cases = calloc(yardstick->judge->case_count, sizeof *trial->cases);
+    trial->cases = calloc(yardstick->inputs.judge->case_count, sizeof *trial->cases);
     if (!trial->cases)
         return error_set(err, "out of memory");
     int64_t since_ns = spent_ns();
     bool only_cases = scope->only_cases || scope->quick || scope->only_case;
-    if (build_submission(yardstick->exercise, sources, source_count,
+    if (build_submission(yardstick->inputs.exercise, sources, source_count,
                          only_cases ? BUILD_PLAIN : BUILD_ALL, &trial->build, err) != 0)
         return -1;
     charge(trial, STAGE_BUILD, &since_ns);
     trial->active_layers = trial->build.active_layers;
     if (trial->build.refusal.refused)
         return 0;
-    if (trial_run_cases(trial, err) != 0)
+    if (cases_run(trial, err) != 0)
         return -1;
     charge(trial, STAGE_CASES, &since_ns);
     check_leak(trial);
@@ -151,7 +137,7 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
 
 void trial_release(struct trial *trial)
 {
-    for (size_t i = 0; trial->cases && i < trial->yardstick->judge->case_count; i++)
+    for (size_t i = 0; trial->cases && i < trial->yardstick->inputs.judge->case_count; i++)
         attempt_release(&trial->cases[i].attempt);
     free(trial->cases);
     trial->cases = NULL;

@@ -3,8 +3,10 @@
  *
  * That something was found is told by the tool's own exit code and by memcheck's error count, never
  * by text; the tool's text only explains. */
+#include "graders/engine/run/undefined.h"
+
+#include "graders/engine/run/cases.h"
 #include "graders/engine/run/series.h"
-#include "graders/engine/run/trial.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -98,7 +100,7 @@ static const char *explain_memcheck(const char *output, char *text, size_t capac
 /* The tool's own words are quoted as they are, in both languages. */
 static void report(struct trial *trial, size_t index, const char *tool, const char *text)
 {
-    const char *name = trial->yardstick->judge->cases[index].name;
+    const char *name = trial->yardstick->inputs.judge->cases[index].name;
     check_say(&trial->checks[CHECK_UNDEFINED_BEHAVIOUR], VERDICT_UNDEFINED_BEHAVIOUR, &tool_found,
               "In case %s %s found \"%s\".", "En el caso %s, %s encontró \"%s\".", name, tool,
               text);
@@ -118,7 +120,7 @@ static bool is_wanted(const struct trial *trial, size_t index, size_t input_byte
     const char *cause = trial->cases[index].attempt.cause;
     if (verdict == VERDICT_CRASH && (strcmp(cause, "abort") == 0 || strcmp(cause, "exit") == 0))
         return false;
-    return trial->cases[index].run && trial->yardstick->cases[index].weight <= input_bytes &&
+    return trial->cases[index].run && trial->yardstick->inputs.cases[index].weight <= input_bytes &&
            (attempt_is_right(&trial->cases[index].attempt) || verdict == VERDICT_WRONG_ANSWER ||
             verdict == VERDICT_CRASH || verdict == VERDICT_UNDEFINED_BEHAVIOUR);
 }
@@ -136,8 +138,8 @@ struct look {
 static void size_series(const struct trial *trial, const struct look *look,
                         struct series_plan *plan)
 {
-    for (size_t i = look->next; i < trial->yardstick->judge->case_count; i++) {
-        const struct input *input = &trial->yardstick->cases[i];
+    for (size_t i = look->next; i < trial->yardstick->inputs.judge->case_count; i++) {
+        const struct input *input = &trial->yardstick->inputs.cases[i];
         if (!is_wanted(trial, i, look->input_limit))
             continue;
         if (input->bytes > plan->input_bytes)
@@ -152,7 +154,7 @@ static void size_series(const struct trial *trial, const struct look *look,
 static int call_case(const struct trial *trial, struct series *series, struct look *look,
                      struct attempt *attempt, struct error *err)
 {
-    const struct input *input = &trial->yardstick->cases[look->last];
+    const struct input *input = &trial->yardstick->inputs.cases[look->last];
     memset(attempt, 0, sizeof *attempt);
     attempt->uncounted = true;
     series_call(series, input, 0, &limits, attempt);
@@ -160,10 +162,11 @@ static int call_case(const struct trial *trial, struct series *series, struct lo
     if (series->end != CALL_ANSWERED || look->found ||
         !attempt_is_right(&trial->cases[look->last].attempt))
         return 0;
-    if (attempt_judge(trial->yardstick, input, &series->session, attempt, err) != 0)
+    if (attempt_judge(&trial->yardstick->inputs, input, &series->session, attempt, err) != 0)
         return -1;
-    look->differs = attempt->verdict != VERDICT_PASSED &&
-                    !(look->tool == SERIES_MEMCHECK && trial->yardstick->judge->answers_reals);
+    look->differs =
+        attempt->verdict != VERDICT_PASSED &&
+        !(look->tool == SERIES_MEMCHECK && trial->yardstick->inputs.judge->answers_reals);
     return 0;
 }
 
@@ -172,10 +175,10 @@ static int call_case(const struct trial *trial, struct series *series, struct lo
 static int run_series(struct trial *trial, struct look *look, struct attempt *attempt,
                       struct error *err)
 {
-    size_t case_count = trial->yardstick->judge->case_count;
+    size_t case_count = trial->yardstick->inputs.judge->case_count;
     struct series series;
     struct series_plan plan = {
-        .yardstick = trial->yardstick, .build = &trial->build, .tool = look->tool, .cpu = -1};
+        .inputs = &trial->yardstick->inputs, .build = &trial->build, .tool = look->tool, .cpu = -1};
     size_series(trial, look, &plan);
     memset(attempt, 0, sizeof *attempt);
     int result = series_start(&series, &plan, err);
@@ -227,26 +230,31 @@ static void report_exhaustion(struct trial *trial, const char *name, const char 
                   name, tool);
 }
 
+static void say_difference(struct check_result *check, const char *name, const char *tool,
+                           struct phrase end)
+{
+    check_say(check, VERDICT_FLAGGED, &behaves_differently,
+              "Case %s passes on its own but ends differently under %s (",
+              "El caso %s es correcto, pero con %s acaba de otro modo (", name, tool);
+    message_add_phrase(&check->message, end);
+    message_add(&check->message, "): a person must look at it.", "): debe mirarlo una persona.");
+}
+
 /* Any other difference is for a person to look at, unless a case tells the mistake already. */
 static void report_difference(struct trial *trial, const struct look *look, const char *tool,
                               const struct attempt *attempt)
 {
-    const char *name = trial->yardstick->judge->cases[look->last].name;
+    const char *name = trial->yardstick->inputs.judge->cases[look->last].name;
     struct check_result *check = &trial->checks[CHECK_UNDEFINED_BEHAVIOUR];
     if (attempt->verdict == VERDICT_CPU_TIME || attempt->verdict == VERDICT_OUT_OF_MEMORY)
         report_exhaustion(trial, name, tool, attempt->verdict == VERDICT_CPU_TIME);
-    else if (trial_any_case_failed(trial))
+    else if (cases_any_failed(trial))
         check_say(check, VERDICT_NOT_MEASURED, &behaves_differently,
                   "Case %s passes on its own but fails under %s: fix the rejected cases first.",
                   "El caso %s es correcto, pero con %s falla: corrige antes los casos rechazados.",
                   name, tool);
     else
-        check_say(check, VERDICT_FLAGGED, &behaves_differently,
-                  "Case %s passes on its own but ends differently under %s (%s): a person must "
-                  "look at it.",
-                  "El caso %s es correcto, pero con %s acaba de otro modo (%s): debe mirarlo una "
-                  "persona.",
-                  name, tool, verdict_name(attempt->verdict));
+        say_difference(check, name, tool, verdict_words(attempt->verdict));
 }
 
 static int look_with(struct trial *trial, enum series_tool tool, size_t input_limit,
@@ -255,7 +263,7 @@ static int look_with(struct trial *trial, enum series_tool tool, size_t input_li
     bool sanitizer = tool == SERIES_SANITIZER;
     const char *tool_name = sanitizer ? "AddressSanitizer" : "valgrind";
     struct look look = {.tool = tool, .input_limit = input_limit, .last = -1};
-    while (look.next < trial->yardstick->judge->case_count && !look.found && !look.differs) {
+    while (look.next < trial->yardstick->inputs.judge->case_count && !look.found && !look.differs) {
         struct attempt attempt;
         char text[240];
         int result = run_series(trial, &look, &attempt, err);
@@ -273,12 +281,12 @@ static int look_with(struct trial *trial, enum series_tool tool, size_t input_li
     return 0;
 }
 
-int trial_check_undefined_behaviour(struct trial *trial, struct error *err)
+int undefined_check(struct trial *trial, struct error *err)
 {
     struct check_result *check = &trial->checks[CHECK_UNDEFINED_BEHAVIOUR];
     check_say(check, VERDICT_PASSED, NULL, "AddressSanitizer, UBSan and valgrind found nothing.",
               "AddressSanitizer, UBSan y valgrind no encontraron nada.");
-    for (size_t i = 0; i < trial->yardstick->judge->case_count; i++)
+    for (size_t i = 0; i < trial->yardstick->inputs.judge->case_count; i++)
         if (trial->cases[i].run && trial->cases[i].attempt.verdict == VERDICT_UNDEFINED_BEHAVIOUR) {
             const struct attempt *attempt = &trial->cases[i].attempt;
             *check = (struct check_result){.verdict = VERDICT_UNDEFINED_BEHAVIOUR,

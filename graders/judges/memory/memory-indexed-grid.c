@@ -80,7 +80,7 @@ static int judge_grid(const int64_t asked[4], struct reader *said, const struct 
         return lattice_judge_mesh(asked, &mesh, out, err);
     struct size_claim claim = {"indexed_grid_build", "indexed_grid_bytes", 0, mesh.own_bytes,
                                lattice_mesh_bytes(asked[0], asked[1])};
-    size_judge(&claim, usage, out);
+    formula_judge_size(&claim, usage, out);
     return 0;
 }
 

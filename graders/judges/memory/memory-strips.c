@@ -155,7 +155,7 @@ static int judge_built(const int64_t asked[4], struct reader *said, const struct
                                right_bytes(asked[0], asked[1])};
     int failed = 0;
     if (!out->cause[0] && asked[2] == MEMORY)
-        size_judge(&claim, usage, out);
+        formula_judge_size(&claim, usage, out);
     else if (!out->cause[0] && asked[2] == PROCESSED)
         judge_processed(&built, own_processed, out);
     else if (!out->cause[0])

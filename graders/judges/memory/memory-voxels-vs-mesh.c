@@ -91,7 +91,7 @@ static int judge_voxels(const int64_t asked[4], struct reader *said, const struc
         return 0;
     if (asked[2] != MEMORY)
         return voxels_judge((int32_t)asked[0], bits, out, err);
-    size_judge(&claim, usage, out);
+    formula_judge_size(&claim, usage, out);
     return 0;
 }
 
@@ -107,7 +107,7 @@ static int judge_mesh(const int64_t asked[4], struct reader *said, const struct 
     struct size_claim claim = {"mesh_sphere_build", "mesh_sphere_bytes", 0, mesh.own_bytes,
                                sphere_mesh_bytes(k, 0)};
     if (asked[2] == MEMORY) {
-        size_judge(&claim, usage, out);
+        formula_judge_size(&claim, usage, out);
         return 0;
     }
     if ((asked[2] & VERTICES) && sphere_judge_vertices(k, &mesh, out, err))

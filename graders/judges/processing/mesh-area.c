@@ -105,82 +105,112 @@ static bool is_close(double value, double wanted)
 enum focus { ON_ALL, ON_LAST_TRIANGLE, ON_FIRST_TRIANGLE, ON_FACING_UP };
 
 struct guess {
-    double value; /* what the mistake gives on this mesh */
     struct phrase hint;
     enum focus focus;
+};
+
+/* The usual mistakes. */
+enum mistake {
+    TWICE,
+    HALF,
+    NEGATED,
+    MEAN,
+    SQUARED,
+    HALF_SQUARED,
+    WITHOUT_LAST,
+    WITHOUT_FIRST,
+    ADDED_AS_VECTORS,
+    FACING_UP,
+    PROJECTED,
+    SUM_IN_FLOAT,
+    ALL_IN_FLOAT,
+    PRODUCTS_IN_FLOAT,
+    MISTAKE_COUNT
+};
+
+/* What each mistake gives on a mesh. */
+static void find_values(const struct area_sums *sums, int32_t triangle_count,
+                        double values[MISTAKE_COUNT])
+{
+    values[TWICE] = 2 * sums->exact;
+    values[HALF] = sums->exact / 2;
+    values[NEGATED] = -sums->exact;
+    values[MEAN] = sums->exact / triangle_count;
+    values[SQUARED] = sums->squares;
+    values[HALF_SQUARED] = sums->squares / 2;
+    values[WITHOUT_LAST] = sums->without_last;
+    values[WITHOUT_FIRST] = sums->without_first;
+    values[ADDED_AS_VECTORS] = sums->vector;
+    values[FACING_UP] = sums->facing_up;
+    values[PROJECTED] = sums->seen_from_z;
+    values[SUM_IN_FLOAT] = sums->by_float;
+    values[ALL_IN_FLOAT] = sums->all_float;
+    values[PRODUCTS_IN_FLOAT] = sums->absolute_float;
+}
+
+static const struct guess guesses[MISTAKE_COUNT] = {
+    [TWICE] = {{"It is twice the area: half of the cross product's length is the area.",
+                "Es el doble del área: el área es la mitad de la longitud del producto vectorial."},
+               ON_ALL},
+    [HALF] = {{"It is half of the area.", "Es la mitad del área."}, ON_ALL},
+    [NEGATED] = {{"It is the area with its sign reversed.", "Es el área con el signo cambiado."},
+                 ON_ALL},
+    [MEAN] = {{"It is the mean area of a triangle, not the sum.",
+               "Es el área media de un triángulo, no la suma."},
+              ON_ALL},
+    [SQUARED] = {{"The square root of the cross product's squared length is missing.",
+                  "Falta la raíz cuadrada del cuadrado de la longitud del producto vectorial."},
+                 ON_ALL},
+    [HALF_SQUARED] =
+        {{"The square root of the cross product's squared length is missing.",
+          "Falta la raíz cuadrada del cuadrado de la longitud del producto vectorial."},
+         ON_ALL},
+    [WITHOUT_LAST] = {{"The last triangle is missing: does the loop stop one too early?",
+                       "Falta el último triángulo: ¿acaba el bucle uno antes de tiempo?"},
+                      ON_LAST_TRIANGLE},
+    [WITHOUT_FIRST] = {{"The first triangle is missing.", "Falta el primer triángulo."},
+                       ON_FIRST_TRIANGLE},
+    [ADDED_AS_VECTORS] =
+        {{"The cross products were added as vectors: triangles that face opposite ways cancel.",
+          "Se sumaron los productos como vectores: los triángulos de caras opuestas se anulan."},
+         ON_ALL},
+    [FACING_UP] = {{"Only triangles that face upwards (z) are counted.",
+                    "Solo se cuentan los triángulos que miran hacia arriba (z)."},
+                   ON_FACING_UP},
+    [PROJECTED] = {{"It is the area of the projection onto the plane z = 0.",
+                    "Es el área de la proyección sobre el plano z = 0."},
+                   ON_ALL},
+    [SUM_IN_FLOAT] = {{"The sum is kept in a float: with this many terms its 24 bits run out.",
+                       "La suma se guarda en un float: con tantos términos sus 24 bits no bastan."},
+                      ON_ALL},
+    [ALL_IN_FLOAT] = {{"Everything is computed in float; 24 bits do not suffice here.",
+                       "Todo se calcula en float; aquí no bastan 24 bits."},
+                      ON_ALL},
+    [PRODUCTS_IN_FLOAT] =
+        {{"Products of positions are taken in float: subtract positions first, and in double.",
+          "Se multiplican posiciones en float: hay que restarlas antes, y en double."},
+         ON_ALL},
 };
 
 /* The mistake whose result the area is; no hint when it is none of them. A mistake that
  * this mesh does not show is no guess. */
 static struct guess guess_mistake(const struct area_sums *sums, int32_t triangle_count, double area)
 {
-    const struct guess guesses[] = {
-        {2 * sums->exact,
-         {"It is twice the area: half of the cross product's length is the area.",
-          "Es el doble del área: el área es la mitad de la longitud del producto vectorial."},
-         ON_ALL},
-        {sums->exact / 2, {"It is half of the area.", "Es la mitad del área."}, ON_ALL},
-        {-sums->exact,
-         {"It is the area with its sign reversed.", "Es el área con el signo cambiado."},
-         ON_ALL},
-        {sums->exact / triangle_count,
-         {"It is the mean area of a triangle, not the sum.",
-          "Es el área media de un triángulo, no la suma."},
-         ON_ALL},
-        {sums->squares,
-         {"The square root of the cross product's squared length is missing.",
-          "Falta la raíz cuadrada del cuadrado de la longitud del producto vectorial."},
-         ON_ALL},
-        {sums->squares / 2,
-         {"The square root of the cross product's squared length is missing.",
-          "Falta la raíz cuadrada del cuadrado de la longitud del producto vectorial."},
-         ON_ALL},
-        {sums->without_last,
-         {"The last triangle is missing: does the loop stop one too early?",
-          "Falta el último triángulo: ¿acaba el bucle uno antes de tiempo?"},
-         ON_LAST_TRIANGLE},
-        {sums->without_first,
-         {"The first triangle is missing.", "Falta el primer triángulo."},
-         ON_FIRST_TRIANGLE},
-        {sums->vector,
-         {"The cross products were added as vectors: triangles that face opposite ways cancel.",
-          "Se sumaron los productos como vectores: los triángulos de caras opuestas se anulan."},
-         ON_ALL},
-        {sums->facing_up,
-         {"Only triangles that face upwards (z) are counted.",
-          "Solo se cuentan los triángulos que miran hacia arriba (z)."},
-         ON_FACING_UP},
-        {sums->seen_from_z,
-         {"It is the area of the projection onto the plane z = 0.",
-          "Es el área de la proyección sobre el plano z = 0."},
-         ON_ALL},
-        {sums->by_float,
-         {"The sum is kept in a float: with this many terms its 24 bits run out.",
-          "La suma se guarda en un float: con tantos términos sus 24 bits no bastan."},
-         ON_ALL},
-        {sums->all_float,
-         {"Everything is computed in float; 24 bits do not suffice here.",
-          "Todo se calcula en float; aquí no bastan 24 bits."},
-         ON_ALL},
-        {sums->absolute_float,
-         {"Products of positions are taken in float: subtract positions first, and in double.",
-          "Se multiplican posiciones en float: hay que restarlas antes, y en double."},
-         ON_ALL},
-    };
+    double values[MISTAKE_COUNT];
+    find_values(sums, triangle_count, values);
     if (is_close(area, sums->exact / 2) && is_close(area, sums->facing_up))
         return (struct guess){
-            sums->facing_up,
             {"It is half of the area, which is that of the triangles facing upwards (z).",
              "Es la mitad del área, que es la de los triángulos que miran hacia arriba (z)."},
             ON_FACING_UP};
-    for (size_t i = 0; i < sizeof guesses / sizeof *guesses; i++) {
-        double value = guesses[i].value;
+    for (size_t i = 0; i < MISTAKE_COUNT; i++) {
+        double value = values[i];
         bool is_told_apart =
             isfinite(value) && fabs(value) > ALLOWED * sums->exact && !is_close(value, sums->exact);
         if (is_told_apart && is_close(area, value))
             return guesses[i];
     }
-    return (struct guess){0, {NULL, NULL}, ON_ALL};
+    return (struct guess){{NULL, NULL}, ON_ALL};
 }
 
 /* -------------------------------------------------------------------------------------- judging */

@@ -17,7 +17,7 @@ static int read_model(const struct study *study, struct mesh *mesh, struct error
     if (!study->root)
         return generate_torus(mesh, 1, STAND_IN_TRIANGLES, err);
     snprintf(path, sizeof path, "%s/exercises/models/bunny.ply", study->root);
-    return read_mesh(path, mesh, err);
+    return mesh_file_read(path, mesh, err);
 }
 
 static int cut(const struct study *study, struct mesh *mesh, struct strips *strips)

@@ -4,4 +4,4 @@
 
 . "$HOSTILE/scene.sh"
 grade --without landlock
-python3 -c 'import glob, json; print(json.load(open(glob.glob("out/results/*/*.json")[0]))["protections"]["inactive"]["landlock"])'
+python3 -c 'import glob, json; print(json.load(open(glob.glob("out/results/*/*.json")[0]))["protections"]["inactive"]["landlock"]["en"])'

@@ -1,4 +1,8 @@
-/* The checks that rest on sized inputs: growth of the work, amount of work, peak of memory. */
+/* The checks that rest on sized inputs: growth of the work, amount of work, peak of memory; see
+ * sized.h. */
+#include "graders/engine/run/sized.h"
+
+#include "graders/engine/run/cases.h"
 #include "graders/engine/run/pace.h"
 
 #include <stdio.h>
@@ -16,9 +20,8 @@ static const struct cause no_valgrind = {"no-valgrind", {"no valgrind", "sin val
 
 enum {
     MEMORY_FLOOR_BYTES = 4096, /* so that a reference that allocates nothing can be divided by */
-    EXTRA_DOUBLINGS = 2,
-    TIME_FLOOR = 30,  /* see check_counts */
-    TIME_TO_COUNT = 5 /* see check_counts */
+    TIME_FLOOR = 30,           /* see check_counts */
+    TIME_TO_COUNT = 5          /* see check_counts */
 };
 
 static const enum check_kind sized_checks[] = {CHECK_GROWTH, CHECK_WORK, CHECK_MEMORY};
@@ -32,13 +35,14 @@ static void blame_failure(struct trial *trial, int family, int size_index,
                           const struct attempt *failure)
 {
     const struct yardstick *yardstick = trial->yardstick;
-    enum verdict verdict = trial_any_case_failed(trial) ? VERDICT_NOT_REACHED : failure->verdict;
+    enum verdict verdict = cases_any_failed(trial) ? VERDICT_NOT_REACHED : failure->verdict;
     const struct cause cause = attempt_cause(failure);
     for (int i = 0; i < SIZED_CHECKS; i++) {
         struct check_result *check = &trial->checks[sized_checks[i]];
-        check_say(check, verdict, &cause, "With the input %s of size %lld: ",
-                  "Con la entrada %s de tamaño %lld: ", judge_family_name(yardstick->judge, family),
-                  (long long)yardstick->sizes[size_index]);
+        check_say(check, verdict, &cause,
+                  "With the input %s of size %lld: ", "Con la entrada %s de tamaño %lld: ",
+                  judge_family_name(yardstick->inputs.judge, family),
+                  (long long)yardstick->inputs.sizes[size_index]);
         message_add_phrase(&check->message, message_phrase(&failure->message));
     }
 }
@@ -48,10 +52,10 @@ static int measure_memory(struct trial *trial, int family, bool *right, struct e
     struct yardstick *yardstick = trial->yardstick;
     struct cost *costs[FAMILIES_MAX] = {[0] = NULL};
     struct count_plan plan = {
-        .first_family = family, .last_family = family, .last = yardstick->size_count - 1};
+        .first_family = family, .last_family = family, .last = yardstick->inputs.size_count - 1};
     struct count_run run;
     costs[family] = trial->families[family].costs;
-    int result = count_memory(yardstick, &trial->build, &plan, costs, &run, err);
+    int result = count_memory(&yardstick->inputs, &trial->build, &plan, costs, &run, err);
     *right = result == 0 && run.failure.verdict == VERDICT_PASSED;
     if (result == 0 && !*right)
         blame_failure(trial, run.family, run.size_index, &run.failure);
@@ -70,10 +74,13 @@ static int count_sizes(struct trial *trial, const struct count_plan *plan, bool 
                        struct error *err)
 {
     struct cost *costs[FAMILIES_MAX] = {[0] = NULL};
+    struct count_plan beside = *plan;
     struct count_run run;
-    for (int family = 0; family < trial->yardstick->family_count; family++)
+    for (int family = 0; family < trial->yardstick->inputs.family_count; family++) {
         costs[family] = trial->families[family].costs;
-    int result = count_work(trial->yardstick, &trial->build, plan, costs, &run, err);
+        beside.reference[family] = trial->yardstick->costs[family];
+    }
+    int result = count_work(&trial->yardstick->inputs, &trial->build, &beside, costs, &run, err);
     for (int family = plan->first_family; family <= plan->last_family; family++) {
         if (trial->families[family].size_count < run.end[family])
             trial->families[family].size_count = run.end[family];
@@ -96,10 +103,10 @@ static int count_reference(struct yardstick *yardstick, const struct count_plan 
     if (yardstick->costs[family][plan->last].counted)
         return 0;
     costs[family] = yardstick->costs[family];
-    int result = count_work(yardstick, &yardstick->reference, plan, costs, &run, err);
+    int result = count_work(&yardstick->inputs, &yardstick->reference, plan, costs, &run, err);
     if (result == 0 && run.failure.verdict != VERDICT_PASSED)
         result = error_set(err, "exercise %s: the reference fails at larger sizes: %s",
-                           yardstick->exercise->name, run.failure.message.en);
+                           yardstick->inputs.exercise->name, run.failure.message.en);
     attempt_release(&run.failure);
     return result;
 }
@@ -108,7 +115,7 @@ static int count_reference(struct yardstick *yardstick, const struct count_plan 
 
 static int fit(struct trial *trial, int family, enum growth_look look, struct error *err)
 {
-    const struct exercise *exercise = trial->yardstick->exercise;
+    const struct exercise *exercise = trial->yardstick->inputs.exercise;
     struct family_result *found = &trial->families[family];
     enum growth_class allowed;
     int64_t sizes[SIZES_MAX], counts[SIZES_MAX];
@@ -119,7 +126,7 @@ static int fit(struct trial *trial, int family, enum growth_look look, struct er
     for (int i = 0; i < found->size_count; i++) {
         if (!found->costs[i].counted)
             continue;
-        sizes[count] = trial->yardstick->sizes[i];
+        sizes[count] = trial->yardstick->inputs.sizes[i];
         counts[count++] = found->costs[i].counts.instructions;
     }
     found->fitted = true;
@@ -140,11 +147,11 @@ static void say_growth(struct trial *trial, int family)
 {
     const struct yardstick *yardstick = trial->yardstick;
     const struct family_result *found = &trial->families[family];
-    const struct message *elements = &yardstick->exercise->growth_elements;
+    const struct message *elements = &yardstick->inputs.exercise->growth_elements;
     struct check_result *check = &trial->checks[CHECK_GROWTH];
     struct phrase adjective = class_adjective(found->fit.class);
     const char *class = growth_class_name(found->fit.class);
-    long long size = (long long)yardstick->sizes[found->size_count - 1];
+    long long size = (long long)yardstick->inputs.sizes[found->size_count - 1];
     struct message name;
     message_say(&name, "grows like %s", "crece como %s", class);
     const struct cause cause = {class, message_phrase(&name)};
@@ -161,7 +168,8 @@ static void say_growth(struct trial *trial, int family)
     message_es(&check->message, " con %lld %s", size, elements->es);
     message_add(&check->message, " with the inputs %s; at most %s is allowed.",
                 " de las entradas %s; se admite como mucho %s.",
-                judge_family_name(yardstick->judge, family), yardstick->exercise->growth_allowed);
+                judge_family_name(yardstick->inputs.judge, family),
+                yardstick->inputs.exercise->growth_allowed);
 }
 
 /* The first size below `count` at which a family is not counted; `count` when there is none. */
@@ -195,7 +203,7 @@ static int judge_growth(struct trial *trial, int family, bool *right, struct err
 {
     const struct yardstick *yardstick = trial->yardstick;
     struct family_result *found = &trial->families[family];
-    int count = yardstick->size_count, gap = first_gap(found, count);
+    int count = yardstick->inputs.size_count, gap = first_gap(found, count);
     bool has_all = found->hopeless || gap == count;
     if (fit(trial, family, has_all ? GROWTH_FULL_LOOK : GROWTH_FIRST_LOOK, err) != 0 ||
         look_closer(trial, family, gap, count - 2, right, err) != 0 ||
@@ -222,8 +230,8 @@ static void judge_memory(struct trial *trial)
 {
     const struct yardstick *yardstick = trial->yardstick;
     struct check_result *check = &trial->checks[CHECK_MEMORY];
-    int largest = yardstick->size_count - 1;
-    for (int family = 0; family < yardstick->family_count; family++) {
+    int largest = yardstick->inputs.size_count - 1;
+    for (int family = 0; family < yardstick->inputs.family_count; family++) {
         double ratio =
             memory_bytes(&trial->families[family].costs[largest], trial->build.static_bytes) /
             memory_bytes(&yardstick->costs[family][largest], yardstick->reference.static_bytes);
@@ -232,21 +240,21 @@ static void judge_memory(struct trial *trial)
             trial->memory_family = family;
         }
     }
-    bool within = trial->memory_ratio <= yardstick->exercise->memory_band;
+    bool within = trial->memory_ratio <= yardstick->inputs.exercise->memory_band;
     check_say(check, within ? VERDICT_PASSED : VERDICT_TOO_MUCH_MEMORY,
               within ? NULL : &memory_band,
               "The peak of memory is %.2f times the reference's (at most %.4g).",
               "El máximo de memoria es %.2f veces el de la referencia (como mucho %.4g).",
-              trial->memory_ratio, yardstick->exercise->memory_band);
+              trial->memory_ratio, yardstick->inputs.exercise->memory_band);
 }
 
 static void find_work_ratios(struct trial *trial, int *family_at_fault)
 {
     const struct yardstick *yardstick = trial->yardstick;
-    for (int family = 0; family < yardstick->family_count; family++) {
+    for (int family = 0; family < yardstick->inputs.family_count; family++) {
         int largest = trial->families[family].size_count - 1;
-        if (largest >= yardstick->size_count)
-            largest = yardstick->size_count - 1;
+        if (largest >= yardstick->inputs.size_count)
+            largest = yardstick->inputs.size_count - 1;
         const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
         const struct callgrind_counts *theirs = &yardstick->costs[family][largest].counts;
         double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
@@ -263,13 +271,13 @@ static void find_work_ratios(struct trial *trial, int *family_at_fault)
 /* Two witnesses: marks for speed are lost only when the counted cost and the paired time agree. */
 static int judge_work(struct trial *trial, struct error *err)
 {
-    const struct exercise *exercise = trial->yardstick->exercise;
+    const struct exercise *exercise = trial->yardstick->inputs.exercise;
     int family = 0;
     bool slower = false;
     find_work_ratios(trial, &family);
     bool above = trial->work_ratio > exercise->work_band;
-    if (above && trial_is_slower(trial, family, pace_size_index(trial->yardstick),
-                                 exercise->work_band, &slower, err) != 0)
+    if (above && pace_is_slower(trial, family, pace_size_index(trial->yardstick),
+                                exercise->work_band, &slower, err) != 0)
         return -1;
     struct check_result *check = &trial->checks[CHECK_WORK];
     if (!above)
@@ -304,15 +312,15 @@ static int judge_work(struct trial *trial, struct error *err)
  * band loses the mark unless the time is within it. */
 static int check_counts(struct trial *trial, struct error *err)
 {
-    int largest = trial->yardstick->size_count - 1;
-    for (int family = 0; family < trial->yardstick->family_count; family++) {
+    int largest = trial->yardstick->inputs.size_count - 1;
+    for (int family = 0; family < trial->yardstick->inputs.family_count; family++) {
         const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
         const struct callgrind_counts *theirs = &trial->yardstick->costs[family][largest].counts;
         double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
         double bound = TIME_FLOOR + TIME_TO_COUNT * ratio;
         bool denied;
         struct attempt failure = {0};
-        int result = trial_time_denies(trial, family, largest, bound, &denied, &failure, err);
+        int result = pace_time_denies(trial, family, largest, bound, &denied, &failure, err);
         bool right = failure.verdict == VERDICT_PASSED;
         if (result == 0 && !right)
             blame_failure(trial, family, largest, &failure);
@@ -330,7 +338,7 @@ static int check_counts(struct trial *trial, struct error *err)
                 "Con las entradas %s el coste contado es %.2f veces el de la referencia, "
                 "pero con mallas nuevas el tiempo es más de %.0f veces el de la referencia, o no "
                 "responde: debe mirarlo una persona.",
-                judge_family_name(trial->yardstick->judge, family), ratio, bound);
+                judge_family_name(trial->yardstick->inputs.judge, family), ratio, bound);
         return 0;
     }
     return 0;
@@ -340,18 +348,22 @@ static int check_counts(struct trial *trial, struct error *err)
 
 static void say_not_measured(struct trial *trial)
 {
-    for (int i = 0; i < 2; i++)
-        check_say(&trial->checks[sized_checks[i]], VERDICT_NOT_MEASURED, &no_valgrind,
-                  "Not measured here: %s.", "No se midió aquí: %s.",
-                  trial->yardstick->probes.valgrind_reason);
+    struct phrase why = trial->yardstick->probes.no_valgrind;
+    for (int i = 0; i < 2; i++) {
+        struct check_result *check = &trial->checks[sized_checks[i]];
+        check_say(check, VERDICT_NOT_MEASURED, &no_valgrind,
+                  "Not measured here: ", "No se midió aquí: ");
+        message_add_phrase(&check->message, why);
+        message_add(&check->message, ".", ".");
+    }
 }
 
-int trial_check_growth(struct trial *trial, struct error *err)
+int sized_check(struct trial *trial, struct error *err)
 {
     const struct yardstick *yardstick = trial->yardstick;
-    const struct exercise *exercise = yardstick->exercise;
+    const struct exercise *exercise = yardstick->inputs.exercise;
     bool right = true;
-    for (int family = 0; family < yardstick->family_count && right; family++)
+    for (int family = 0; family < yardstick->inputs.family_count && right; family++)
         if (measure_memory(trial, family, &right, err) != 0)
             return -1;
     if (!right)
@@ -365,13 +377,13 @@ int trial_check_growth(struct trial *trial, struct error *err)
     check_say(&trial->checks[CHECK_GROWTH], VERDICT_PASSED, NULL,
               "The work grows no faster than %s.", "El trabajo no crece más que %s.",
               exercise->growth_allowed);
-    struct count_plan plan = {.last_family = yardstick->family_count - 1,
-                              .last = yardstick->size_count - 1,
+    struct count_plan plan = {.last_family = yardstick->inputs.family_count - 1,
+                              .last = yardstick->inputs.size_count - 1,
                               .leaps = true,
                               .stops_early = true};
-    if (yardstick->family_count > 0 && count_sizes(trial, &plan, &right, err) != 0)
+    if (yardstick->inputs.family_count > 0 && count_sizes(trial, &plan, &right, err) != 0)
         return -1;
-    for (int family = 0; family < yardstick->family_count && right; family++)
+    for (int family = 0; family < yardstick->inputs.family_count && right; family++)
         if (judge_growth(trial, family, &right, err) != 0)
             return -1;
     if (!right || trial->checks[CHECK_GROWTH].verdict != VERDICT_PASSED)
