@@ -7,8 +7,10 @@
 #include "graders/judges/table.h"
 #include "reference/base/plural.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 #include <unistd.h>
 
 struct request {
@@ -95,7 +97,10 @@ static int check(const struct exercise *exercise, const struct upload *upload,
         return score_without_trial(exercise, &submitter, VERDICT_COMPILE_ERROR, &upload->refusal,
                                    outcome, err);
     bool uncounted = request->quick || request->only_case;
-    int result = yardstick_make(&yardstick, exercise, request->seed, uncounted, err);
+    struct seeds seeds = seeds_of_class(request->seed);
+    if (request->seed == SEED_PUBLISHED && getrandom(&seeds.sizes, sizeof seeds.sizes, 0) < 0)
+        return error_set(err, "no random number for the sizes: %s", strerror(errno));
+    int result = yardstick_make(&yardstick, exercise, seeds, uncounted, err);
     if (result == 0 && request->times)
         result = make_cases(&yardstick, &scope, err);
     if (result == 0)

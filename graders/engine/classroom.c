@@ -264,7 +264,8 @@ static int open_lesson(struct lesson *lesson, uint32_t seed, struct error *why)
     for (int try = 0; try < TRIES; try++) {
         *why = (struct error){""};
         lesson->made = true; /* what was made in part is released, too */
-        if (yardstick_make(&lesson->yardstick, lesson->exercise, seed, false, why) == 0 &&
+        if (yardstick_make(&lesson->yardstick, lesson->exercise, seeds_of_class(seed), false,
+                           why) == 0 &&
             yardstick_make_cases(&lesson->yardstick, false, why) == 0)
             return 0;
         close_lesson(lesson);

@@ -24,7 +24,8 @@ void *__wrap_valloc(size_t size);
 int __wrap_posix_memalign(void **block, size_t alignment, size_t size);
 
 /* Stands right before every block. `check` ties it to its address, so that a pointer into the
- * middle of a block, or to no block at all, is told apart. */
+ * middle of a block, or to no block at all, is told apart; its last bit says whether the block is
+ * counted. */
 struct header {
     size_t size;
     uint32_t offset; /* from the real block to the student's */
@@ -36,13 +37,12 @@ static struct {
     bool counting;
     struct header *graveyard; /* freed after the call, not yet given back; linked by `size` */
     int64_t limit_bytes, failing_allocation;
-    uint32_t call; /* distinguishes this call's blocks from older ones */
 } state;
 
-static uint32_t check_of(const void *block, uint32_t call)
+static uint32_t check_of(const void *block, bool counted)
 {
     uint64_t mixed = ((uint64_t)(uintptr_t)block ^ 0x9E3779B97F4A7C15u) * 0xBF58476D1CE4E5B9u;
-    return (uint32_t)(mixed >> 32 & ~0xFFFFu) | (call & 0xFFFFu);
+    return (uint32_t)(mixed >> 32 & ~1u) | counted;
 }
 
 static struct header *header_of(void *block)
@@ -70,10 +70,11 @@ static void empty_graveyard(void)
 void shim_begin(int64_t limit_bytes, int64_t failing_allocation)
 {
     empty_graveyard();
-    memset(&shim_counts, 0, sizeof shim_counts);
+    int64_t live_bytes = shim_counts.live_bytes, live_blocks = shim_counts.live_blocks;
+    shim_counts = (struct shim_counts){
+        .live_bytes = live_bytes, .live_blocks = live_blocks, .peak_bytes = live_bytes};
     state.limit_bytes = limit_bytes;
     state.failing_allocation = failing_allocation;
-    state.call = state.call + 1 == 0x10000 ? 1 : state.call + 1; /* 0 means: no call's block */
     state.counting = true;
 }
 
@@ -103,8 +104,7 @@ static void *adopt(unsigned char *real, size_t offset, size_t size)
     if (!real)
         return NULL;
     unsigned char *block = real + offset;
-    *header_of(block) =
-        (struct header){size, (uint32_t)offset, check_of(block, state.counting ? state.call : 0)};
+    *header_of(block) = (struct header){size, (uint32_t)offset, check_of(block, state.counting)};
     if (state.counting) {
         shim_counts.live_bytes += (int64_t)size;
         shim_counts.live_blocks++;
@@ -118,14 +118,14 @@ static void *adopt(unsigned char *real, size_t offset, size_t size)
 static unsigned char *disown(void *block, size_t *size)
 {
     struct header *header = header_of(block);
-    uint32_t call = header->check & 0xFFFFu;
-    if ((uintptr_t)block % 16 != 0 || header->check != check_of(block, call)) {
+    bool counted = header->check & 1;
+    if ((uintptr_t)block % 16 != 0 || header->check != check_of(block, counted)) {
         shim_counts.bad_free_count++;
         return NULL;
     }
     *size = header->size;
     header->check = 0;
-    if (call == state.call) {
+    if (counted) {
         shim_counts.live_bytes -= (int64_t)*size;
         shim_counts.live_blocks--;
     }
@@ -177,8 +177,8 @@ void *__wrap_realloc(void *block, size_t size)
         return NULL;
     }
     struct header old = *header_of(block);
-    bool of_call = (old.check & 0xFFFFu) == state.call;
-    if (!admit(size, of_call ? (int64_t)old.size : 0) || size > SIZE_MAX - sizeof(struct header))
+    bool counted = old.check & 1;
+    if (!admit(size, counted ? (int64_t)old.size : 0) || size > SIZE_MAX - sizeof(struct header))
         return refuse();
     size_t old_size;
     unsigned char *real = disown(block, &old_size);

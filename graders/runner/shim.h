@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 struct shim_counts {
-    int64_t live_bytes; /* of blocks that the current call allocated */
+    int64_t live_bytes; /* of blocks that this call or an earlier one allocated */
     int64_t live_blocks;
     int64_t peak_bytes;
     int64_t allocation_count;
@@ -20,14 +20,15 @@ struct shim_counts {
 };
 extern struct shim_counts shim_counts;
 
-/* Forgets the earlier call and counts anew.
+/* Counts anew. Blocks of earlier calls that are still there go on counting: what a function keeps
+ * from call to call it does not get for nothing.
  *
  * limit_bytes         an allocation that would take live_bytes beyond gets NULL
  * failing_allocation  the how-manieth allocation from now gets NULL, 0: none */
 void shim_begin(int64_t limit_bytes, int64_t failing_allocation);
 
-/* Allocations from now on belong to no call: they are neither counted nor limited. Blocks of the
- * call that are freed later still leave live_bytes. */
+/* Allocations from now on belong to no call: they are neither counted nor limited. Blocks of a call
+ * that are freed later still leave live_bytes. */
 void shim_end(void);
 
 #endif

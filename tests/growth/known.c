@@ -206,7 +206,7 @@ static int try_subject(const struct subject *subject, const struct exercise *exe
                        struct random *random, struct totals *totals, struct error *err)
 {
     struct yardstick yardstick;
-    int result = yardstick_make(&yardstick, exercise, SEED_PUBLISHED, false, err);
+    int result = yardstick_make(&yardstick, exercise, seeds_of_class(SEED_PUBLISHED), false, err);
     if (result == 0 && !yardstick.probes.valgrind)
         result = error_set(err, "nothing can be counted here: %s",
                            phrase_text(yardstick.probes.no_valgrind, LANGUAGE_EN));

@@ -184,7 +184,7 @@ static int try_subject(const struct subject *subject, int decisions, int *wrong,
     if (!root || exercises_read(root, &exercises, &count, err) != 0)
         return -1;
     int result = yardstick_make(&yardstick, exercise_find(exercises, count, subject->exercise),
-                                SEED_PUBLISHED, true, err);
+                                seeds_of_class(SEED_PUBLISHED), true, err);
     if (result == 0) {
         trial.yardstick = &yardstick;
         result = build_subject(subject, yardstick.inputs.exercise, root, &trial.build, err);

@@ -66,7 +66,8 @@ static void test_yardstick_that_was_not_made(void **state)
     static const struct exercise exercise = {.name = "no-such-exercise"};
     struct error err = {""};
     (void)state;
-    assert_int_equal(yardstick_make(&yardstick, &exercise, SEED_PUBLISHED, true, &err), -1);
+    assert_int_equal(
+        yardstick_make(&yardstick, &exercise, seeds_of_class(SEED_PUBLISHED), true, &err), -1);
     yardstick_release(&yardstick);
     yardstick_release(&yardstick);
     assert_standard_input_is_open();

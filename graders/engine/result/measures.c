@@ -23,7 +23,7 @@ static json_t *family_json(const struct trial *trial, int family)
     for (int i = 0; i < found->size_count; i++) {
         if (!found->costs[i].counted)
             continue;
-        json_array_append_new(sizes, json_integer(yardstick->inputs.sizes[i]));
+        json_array_append_new(sizes, json_integer(yardstick->inputs.told_sizes[i]));
         json_array_append_new(mine, json_integer(found->costs[i].counts.instructions));
         if (yardstick->costs[family][i].counted)
             json_array_append_new(theirs,
@@ -53,9 +53,9 @@ static json_t *family_memory_json(const struct trial *trial, int family)
 {
     const struct yardstick *yardstick = trial->yardstick;
     json_t *sizes = json_array(), *mine = json_array(), *theirs = json_array();
-    for (int i = 0; i < yardstick->inputs.size_count; i++) {
+    for (int i = 0; i <= inputs_beyond(&yardstick->inputs); i++) {
         const struct cost *cost = &trial->families[family].costs[i];
-        json_array_append_new(sizes, json_integer(yardstick->inputs.sizes[i]));
+        json_array_append_new(sizes, json_integer(yardstick->inputs.told_sizes[i]));
         json_array_append_new(mine, json_integer(cost->heap_peak_bytes));
         json_array_append_new(theirs, json_integer(yardstick->costs[family][i].heap_peak_bytes));
     }
@@ -67,16 +67,16 @@ static json_t *family_memory_json(const struct trial *trial, int family)
 static json_t *memory_json(const struct trial *trial)
 {
     const struct yardstick *yardstick = trial->yardstick;
-    int largest = yardstick->inputs.size_count - 1, family = trial->memory_family;
+    int at = trial->memory_size, family = trial->memory_family;
     json_t *families = json_array();
     json_array_append_new(families, family_memory_json(trial, family)); /* what decides is first */
     for (int i = 0; i < yardstick->inputs.family_count; i++)
         if (i != family)
             json_array_append_new(families, family_memory_json(trial, i));
-    const struct cost *mine = &trial->families[family].costs[largest];
-    const struct cost *theirs = &yardstick->costs[family][largest];
+    const struct cost *mine = &trial->families[family].costs[at];
+    const struct cost *theirs = &yardstick->costs[family][at];
     return json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:I, s:I, s:I}", "families", families, "size",
-                     (json_int_t)yardstick->inputs.sizes[largest], "peak_bytes",
+                     (json_int_t)yardstick->inputs.told_sizes[at], "peak_bytes",
                      (json_int_t)mine->heap_peak_bytes, "reference_peak_bytes",
                      (json_int_t)theirs->heap_peak_bytes, "ratio", rounded(trial->memory_ratio),
                      "band", rounded(yardstick->inputs.exercise->memory_band), "allocations",

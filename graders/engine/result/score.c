@@ -123,7 +123,7 @@ static json_t *not_measured_json(const struct trial *trial)
 static json_t *engine_json(const struct trial *trial)
 {
     char seed[32];
-    snprintf(seed, sizeof seed, "%u", trial->yardstick->inputs.class_seed);
+    snprintf(seed, sizeof seed, "%u", trial->yardstick->inputs.seeds.cases);
     return json_pack("{s:s, s:s, s:s}", "version", MESHGRADE_VERSION, "compiler",
                      "gcc " __VERSION__, "seed", seed);
 }
@@ -153,9 +153,9 @@ static void write_seed_option(const struct yardstick *yardstick, const struct ju
                               char *text, size_t capacity)
 {
     size_t used = strlen(text);
-    if (yardstick->inputs.class_seed != SEED_PUBLISHED && !judge_case_is_public(c) &&
+    if (yardstick->inputs.seeds.cases != SEED_PUBLISHED && !judge_case_is_public(c) &&
         used < capacity)
-        snprintf(text + used, capacity - used, " --seed %u", yardstick->inputs.class_seed);
+        snprintf(text + used, capacity - used, " --seed %u", yardstick->inputs.seeds.cases);
 }
 
 static json_t *case_json(struct trial *trial, size_t index, const struct submitter *submitter,

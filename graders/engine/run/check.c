@@ -6,6 +6,8 @@
 
 const struct cause check_not_reached = {"not-reached", {"not reached", "sin examinar"}};
 
+const struct cause check_leaked_blocks = {"leak", {"memory leak", "fuga de memoria"}};
+
 void check_say(struct check_result *check, enum verdict verdict, const struct cause *cause,
                const char *en, const char *es, ...)
 {

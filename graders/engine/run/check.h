@@ -20,4 +20,7 @@ void check_say(struct check_result *check, enum verdict verdict, const struct ca
 /* Something before it failed: a check or case was not looked at. */
 extern const struct cause check_not_reached;
 
+/* Blocks are left that nobody can free; cases and sized inputs show it. */
+extern const struct cause check_leaked_blocks;
+
 #endif

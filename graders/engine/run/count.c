@@ -133,9 +133,15 @@ static int measure_hidden(struct measuring *m, int family, int size_index, struc
     return 0;
 }
 
-static void read_memory(const struct measuring *m, struct cost *cost)
+static void read_memory(const struct measuring *m, int size_index, struct cost *cost)
 {
     const struct control *claims = &m->series.session.claims;
+    struct count_run *run = m->run;
+    if (claims->leaked_blocks > 0 && run->leaked_blocks == 0) {
+        run->leaked_blocks = claims->leaked_blocks;
+        run->leaked_bytes = possible(claims->heap_left_bytes, INT64_MAX);
+        run->leaking_size = size_index;
+    }
     cost->heap_peak_bytes = possible_heap(m, claims);
     cost->allocation_count = possible(claims->allocation_count, INT64_MAX);
     cost->stack_bytes = possible(claims->stack_bytes, STACK_BYTES_MAX);
@@ -251,7 +257,7 @@ static int measure_family(struct measuring *m, int family, struct error *err)
             return result;
         struct error unread = {""};
         if (m->tool == SERIES_PLAIN)
-            read_memory(m, &costs[i]);
+            read_memory(m, i, &costs[i]);
         else if (read_counts(m, family, i, &unread) != 0)
             return blame_dump(&m->series, &unread, &m->run->failure, err);
         m->run->end[family] = i + 1;

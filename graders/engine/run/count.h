@@ -36,6 +36,8 @@ struct count_plan {
 struct count_run {
     int end[FAMILIES_MAX];       /* the largest size of each family that was measured, and 1 */
     bool hopeless[FAMILIES_MAX]; /* stopped early */
+    int64_t leaked_bytes, leaked_blocks; /* of the first call that left blocks; 0: none did */
+    int leaking_size;                    /* its size index */
     int64_t hidden_bytes; /* resident growth of the largest call that no claim explains; 0: none */
     int family, size_index; /* of the last call */
     struct attempt failure; /* verdict PASSED when every call was right, else what went wrong */

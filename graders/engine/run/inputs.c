@@ -6,6 +6,7 @@
 #include "graders/judges/table.h"
 #include "reference/base/random.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,22 +23,21 @@ static uint64_t mix_seed(uint64_t published, uint32_t class_seed)
     return random_next(&rng);
 }
 
+struct seeds seeds_of_class(uint32_t number)
+{
+    return (struct seeds){number, number};
+}
+
 /* The judge with its own copy of the cases, those that are not public under seeds of the class. */
-static int seed_judge(struct inputs *inputs, const struct judge *judge, uint32_t class_seed,
-                      struct error *err)
+static int seed_judge(struct inputs *inputs, const struct judge *judge, struct error *err)
 {
     inputs->seeded_cases = calloc(judge->case_count, sizeof *inputs->seeded_cases);
     if (!inputs->seeded_cases)
         return error_set(err, "out of memory for %zu cases", judge->case_count);
     memcpy(inputs->seeded_cases, judge->cases, judge->case_count * sizeof *inputs->seeded_cases);
-    inputs->seed = SIZED_SEED;
-    if (class_seed != SEED_PUBLISHED) {
-        inputs->seed = mix_seed(SIZED_SEED, class_seed);
-        for (size_t i = 0; i < judge->case_count; i++)
-            if (!judge_case_is_public(&judge->cases[i]))
-                inputs->seeded_cases[i].seed = mix_seed(judge->cases[i].seed, class_seed);
-    }
-    inputs->class_seed = class_seed;
+    for (size_t i = 0; i < judge->case_count && inputs->seeds.cases != SEED_PUBLISHED; i++)
+        if (!judge_case_is_public(&judge->cases[i]))
+            inputs->seeded_cases[i].seed = mix_seed(judge->cases[i].seed, inputs->seeds.cases);
     inputs->seeded = *judge;
     inputs->seeded.cases = inputs->seeded_cases;
     inputs->judge = &inputs->seeded;
@@ -97,19 +97,38 @@ int inputs_sized(struct inputs *inputs, int family, int size_index, const struct
 
 /* -------------------------------------------------------------------- life */
 
-/* The sizes at which growth is counted, and the two doublings that may be added. */
+/* Uniform, from 0 to below 1. */
+static double draw(struct random *rng)
+{
+    return (double)(random_next(rng) >> 11) / 0x1p53;
+}
+
+/* The sizes at which growth is counted, and those beyond: about first_size times powers of two. One
+ * factor from 3/4 to 3/2 is drawn for all, so that the steps stay doublings, and 1.5 % up or down for
+ * each, so that one size does not tell the next. */
 static void choose_sizes(struct inputs *inputs)
 {
     const struct exercise *exercise = inputs->exercise;
+    struct random rng;
     if (!exercise->checked[CHECK_GROWTH])
         return;
     inputs->family_count = judge_family_count(inputs->judge);
     inputs->size_count = exercise->growth_doublings + 1;
-    for (int i = 0; i < inputs->size_count + EXTRA_DOUBLINGS; i++)
-        inputs->sizes[i] = exercise->growth_first_size << i;
+    random_init(&rng, ~inputs->seed);
+    double factor = 0.75 * exp2(draw(&rng));
+    for (int i = 0; i < inputs->size_count + EXTRA_DOUBLINGS; i++) {
+        inputs->told_sizes[i] = exercise->growth_first_size << i;
+        double size = factor * (0.985 + 0.03 * draw(&rng)) * (double)inputs->told_sizes[i];
+        inputs->sizes[i] = (int64_t)ceil(size);
+    }
 }
 
-int inputs_prepare(struct inputs *inputs, const struct exercise *exercise, uint32_t class_seed,
+int inputs_beyond(const struct inputs *inputs)
+{
+    return inputs->size_count;
+}
+
+int inputs_prepare(struct inputs *inputs, const struct exercise *exercise, struct seeds seeds,
                    struct error *err)
 {
     memset(inputs, 0, sizeof *inputs);
@@ -117,11 +136,13 @@ int inputs_prepare(struct inputs *inputs, const struct exercise *exercise, uint3
         for (int i = 0; i < SIZES_MAX; i++)
             inputs->sized[family][i].region.fd = -1;
     inputs->exercise = exercise;
+    inputs->seeds = seeds;
+    inputs->seed = mix_seed(SIZED_SEED, seeds.sizes);
     const struct judge *judge = judge_find(exercise->name);
     if (soundness_check(exercise, judge, err) != 0)
         return -1;
     const char *root = project_root(err);
-    if (!root || seed_judge(inputs, judge, class_seed, err) != 0)
+    if (!root || seed_judge(inputs, judge, err) != 0)
         return -1;
     inputs->cases = calloc(judge->case_count, sizeof *inputs->cases);
     if (!inputs->cases)

@@ -21,10 +21,22 @@ struct input {
 
 enum { SIZES_MAX = 16, EXTRA_DOUBLINGS = 2 /* when the first sizes leave the growth undecided */ };
 
-/* The seeds of a class. A number of 1 or more gives the cases that are not public, and the meshes
- * on which work is counted, seeds of their own, which nobody knows beforehand: tables of answers or
- * orders that fit the published seeds gain nothing. The same number gives the same meshes. */
+/* The seeds of a class. A number of 1 or more gives the cases that are not public seeds of their
+ * own, which nobody knows beforehand: tables of answers or orders that fit the published seeds gain
+ * nothing. The same number gives the same meshes.
+ *
+ * The sizes on which work and memory are measured, and the meshes of these sizes, are drawn, too: by
+ * the class's number, or at home, where the cases are the published ones, by one that is new each
+ * time. What is fast on some sizes only is then slow on others. */
 enum { SEED_PUBLISHED = 0 /* the seeds in the judges' source: what `check` uses at home */ };
+
+struct seeds {
+    uint32_t cases; /* SEED_PUBLISHED, or the class's own */
+    uint32_t sizes; /* the class's own, or one of the day */
+};
+
+/* Both by one number. */
+struct seeds seeds_of_class(uint32_t number);
 
 struct inputs {
     const struct exercise *exercise;
@@ -32,21 +44,25 @@ struct inputs {
     struct judge seeded;       /* the exercise's judge, with the cases below */
     struct judge_case *seeded_cases;
     char models[PATH_MAX];
-    struct input *cases;          /* judge->case_count */
-    int family_count, size_count; /* 0 when no growth is checked; size_count before extensions */
-    int64_t sizes[SIZES_MAX];     /* size_count, then EXTRA_DOUBLINGS more */
+    struct input *cases;           /* judge->case_count */
+    int family_count, size_count;  /* 0 when no growth is checked; size_count before extensions */
+    int64_t sizes[SIZES_MAX];      /* size_count, then EXTRA_DOUBLINGS more; drawn */
+    int64_t told_sizes[SIZES_MAX]; /* about the same: what people are told */
     struct input sized[FAMILIES_MAX][SIZES_MAX];
-    uint64_t seed;       /* of the sized inputs */
-    uint32_t class_seed; /* SEED_PUBLISHED or the class's own */
+    uint64_t seed; /* of the sized inputs */
+    struct seeds seeds;
 };
+
+/* The index of the size beyond those that are counted, about twice the largest: memory and time are
+ * looked at there, too. */
+int inputs_beyond(const struct inputs *inputs);
 
 /* Gets ready; nothing is made yet.
  *
  * exercise   borrowed for the inputs' life
- * class_seed SEED_PUBLISHED, or the class's own
  * returns    0, or -1 and *err (a fault: the exercise is not sound, no memory); inputs_release must
  *            follow in both cases */
-int inputs_prepare(struct inputs *inputs, const struct exercise *exercise, uint32_t class_seed,
+int inputs_prepare(struct inputs *inputs, const struct exercise *exercise, struct seeds seeds,
                    struct error *err) MUST_CHECK;
 
 /* The input of a case. */

@@ -4,7 +4,9 @@
 
 #include "graders/engine/run/cases.h"
 #include "graders/engine/run/pace.h"
+#include "reference/base/plural.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -39,12 +41,29 @@ static void blame_failure(struct trial *trial, int family, int size_index,
     const struct cause cause = attempt_cause(failure);
     for (int i = 0; i < SIZED_CHECKS; i++) {
         struct check_result *check = &trial->checks[sized_checks[i]];
-        check_say(check, verdict, &cause,
-                  "With the input %s of size %lld: ", "Con la entrada %s de tamaño %lld: ",
+        check_say(check, verdict, &cause, "With the input %s of size about %lld: ",
+                  "Con la entrada %s de tamaño %lld, más o menos: ",
                   judge_family_name(yardstick->inputs.judge, family),
-                  (long long)yardstick->inputs.sizes[size_index]);
+                  (long long)yardstick->inputs.told_sizes[size_index]);
         message_add_phrase(&check->message, message_phrase(&failure->message));
     }
+}
+
+/* A leak that only shows with larger inputs than those of the cases. */
+static void blame_leak(struct trial *trial, int family, const struct count_run *run)
+{
+    const struct inputs *inputs = &trial->yardstick->inputs;
+    struct check_result *check = &trial->checks[CHECK_LEAK];
+    if (check->verdict == VERDICT_PASSED)
+        check_say(check, VERDICT_LEAK, &check_leaked_blocks,
+                  "With the input %s of size about %lld your function leaves %lld byte%s in %lld "
+                  "block%s that nobody can free any more.",
+                  "Con la entrada %s de tamaño %lld, más o menos, tu función deja %lld byte%s en "
+                  "%lld bloque%s que ya nadie puede liberar.",
+                  judge_family_name(inputs->judge, family),
+                  (long long)inputs->told_sizes[run->leaking_size], (long long)run->leaked_bytes,
+                  plural_ending(run->leaked_bytes), (long long)run->leaked_blocks,
+                  plural_ending(run->leaked_blocks));
 }
 
 static int measure_memory(struct trial *trial, int family, bool *right, struct error *err)
@@ -52,7 +71,7 @@ static int measure_memory(struct trial *trial, int family, bool *right, struct e
     struct yardstick *yardstick = trial->yardstick;
     struct cost *costs[FAMILIES_MAX] = {[0] = NULL};
     struct count_plan plan = {
-        .first_family = family, .last_family = family, .last = yardstick->inputs.size_count - 1};
+        .first_family = family, .last_family = family, .last = inputs_beyond(&yardstick->inputs)};
     struct count_run run;
     costs[family] = trial->families[family].costs;
     int result = count_memory(&yardstick->inputs, &trial->build, &plan, costs, &run, err);
@@ -66,6 +85,8 @@ static int measure_memory(struct trial *trial, int family, bool *right, struct e
             "look at it.",
             "El proceso creció %lld bytes más de lo que dio malloc: debe mirarlo una persona.",
             (long long)run.hidden_bytes);
+    if (result == 0 && run.leaked_blocks > 0)
+        blame_leak(trial, family, &run);
     attempt_release(&run.failure);
     return result;
 }
@@ -151,7 +172,7 @@ static void say_growth(struct trial *trial, int family)
     struct check_result *check = &trial->checks[CHECK_GROWTH];
     struct phrase adjective = class_adjective(found->fit.class);
     const char *class = growth_class_name(found->fit.class);
-    long long size = (long long)yardstick->inputs.sizes[found->size_count - 1];
+    long long size = (long long)yardstick->inputs.told_sizes[found->size_count - 1];
     struct message name;
     message_say(&name, "grows like %s", "crece como %s", class);
     const struct cause cause = {class, message_phrase(&name)};
@@ -164,8 +185,8 @@ static void say_growth(struct trial *trial, int family)
                   "The work is far above the reference's and grows like %s",
                   "El trabajo supera con mucho al de la referencia y crece como %s", class);
     }
-    message_en(&check->message, " at %lld %s", size, elements->en);
-    message_es(&check->message, " con %lld %s", size, elements->es);
+    message_en(&check->message, " at some %lld %s", size, elements->en);
+    message_es(&check->message, " con unos %lld %s", size, elements->es);
     message_add(&check->message, " with the inputs %s; at most %s is allowed.",
                 " de las entradas %s; se admite como mucho %s.",
                 judge_family_name(yardstick->inputs.judge, family),
@@ -226,20 +247,45 @@ static double memory_bytes(const struct cost *cost, int64_t static_bytes)
     return (double)(bytes > MEMORY_FLOOR_BYTES ? bytes : MEMORY_FLOOR_BYTES);
 }
 
+/* What a submission takes at a size, as a multiple of the reference. Below the largest size, what
+ * it takes at the smallest is left out on both sides: a table of fixed size, or the first block of a
+ * growing one, weighs most where the input is small. */
+static double memory_ratio_at(const struct trial *trial, int family, int size_index)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    const struct cost *mine = trial->families[family].costs, *theirs = yardstick->costs[family];
+    double my_bytes = memory_bytes(&mine[size_index], trial->build.static_bytes);
+    double their_bytes = memory_bytes(&theirs[size_index], yardstick->reference.static_bytes);
+    if (size_index < inputs_beyond(&yardstick->inputs)) {
+        my_bytes -= memory_bytes(&mine[0], trial->build.static_bytes);
+        their_bytes -= memory_bytes(&theirs[0], yardstick->reference.static_bytes);
+        their_bytes = fmax(their_bytes, MEMORY_FLOOR_BYTES);
+    }
+    return my_bytes / their_bytes;
+}
+
+/* The largest size speaks, and every other where more is taken than the band allows. */
+static void find_memory_ratio(struct trial *trial)
+{
+    const struct inputs *inputs = &trial->yardstick->inputs;
+    trial->memory_size = inputs_beyond(inputs);
+    for (int i = trial->memory_size; i > 0; i--)
+        for (int family = 0; family < inputs->family_count; family++) {
+            double ratio = memory_ratio_at(trial, family, i);
+            bool speaks = i == inputs_beyond(inputs) || ratio > inputs->exercise->memory_band;
+            if (speaks && ratio > trial->memory_ratio) {
+                trial->memory_ratio = ratio;
+                trial->memory_family = family;
+                trial->memory_size = i;
+            }
+        }
+}
+
 static void judge_memory(struct trial *trial)
 {
     const struct yardstick *yardstick = trial->yardstick;
     struct check_result *check = &trial->checks[CHECK_MEMORY];
-    int largest = yardstick->inputs.size_count - 1;
-    for (int family = 0; family < yardstick->inputs.family_count; family++) {
-        double ratio =
-            memory_bytes(&trial->families[family].costs[largest], trial->build.static_bytes) /
-            memory_bytes(&yardstick->costs[family][largest], yardstick->reference.static_bytes);
-        if (ratio > trial->memory_ratio) {
-            trial->memory_ratio = ratio;
-            trial->memory_family = family;
-        }
-    }
+    find_memory_ratio(trial);
     bool within = trial->memory_ratio <= yardstick->inputs.exercise->memory_band;
     check_say(check, within ? VERDICT_PASSED : VERDICT_TOO_MUCH_MEMORY,
               within ? NULL : &memory_band,
@@ -313,6 +359,7 @@ static int judge_work(struct trial *trial, struct error *err)
 static int check_counts(struct trial *trial, struct error *err)
 {
     int largest = trial->yardstick->inputs.size_count - 1;
+    int beyond = inputs_beyond(&trial->yardstick->inputs); /* nothing was counted there */
     for (int family = 0; family < trial->yardstick->inputs.family_count; family++) {
         const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
         const struct callgrind_counts *theirs = &trial->yardstick->costs[family][largest].counts;
@@ -320,10 +367,10 @@ static int check_counts(struct trial *trial, struct error *err)
         double bound = TIME_FLOOR + TIME_TO_COUNT * ratio;
         bool denied;
         struct attempt failure = {0};
-        int result = pace_time_denies(trial, family, largest, bound, &denied, &failure, err);
+        int result = pace_time_denies(trial, family, beyond, bound, &denied, &failure, err);
         bool right = failure.verdict == VERDICT_PASSED;
         if (result == 0 && !right)
-            blame_failure(trial, family, largest, &failure);
+            blame_failure(trial, family, beyond, &failure);
         attempt_release(&failure);
         if (result != 0 || !right)
             return result;

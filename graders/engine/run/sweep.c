@@ -46,7 +46,7 @@ static int judge_call(struct trial *trial, const struct series *series, size_t i
                   name, failing);
         return 0;
     }
-    if (attempt->claims.heap_left_bytes > 0) {
+    if (attempt->claims.leaked_blocks > 0) {
         check_say(check, VERDICT_LEAK, &refused_allocation,
                   "In case %s, when allocation number %lld fails, your function leaks %lld byte%s.",
                   "En el caso %s, si falla la reserva número %lld, tu función pierde %lld byte%s.",

@@ -11,8 +11,6 @@
 #include <string.h>
 #include <sys/resource.h>
 
-static const struct cause leaked_blocks = {"leak", {"memory leak", "fuga de memoria"}};
-
 /* Leaks need no run of their own: the shim saw every case. The smallest leaking case speaks. */
 static void check_leak(struct trial *trial)
 {
@@ -23,12 +21,12 @@ static void check_leak(struct trial *trial)
     const struct control *least = NULL;
     for (size_t i = 0; i < judge->case_count; i++) {
         const struct control *claims = &trial->cases[i].attempt.claims;
-        if (!trial->cases[i].run || claims->phase != PHASE_DONE || claims->heap_left_bytes <= 0 ||
+        if (!trial->cases[i].run || claims->phase != PHASE_DONE || claims->leaked_blocks <= 0 ||
             (least && claims->heap_left_bytes >= least->heap_left_bytes))
             continue;
         least = claims;
         check_say(
-            check, VERDICT_LEAK, &leaked_blocks,
+            check, VERDICT_LEAK, &check_leaked_blocks,
             "In case %s your function leaves %lld byte%s in %lld block%s that nobody can free "
             "any more.",
             "En el caso %s tu función deja %lld byte%s en %lld bloque%s que ya nadie puede "

@@ -104,7 +104,7 @@ static int measure_reference(struct yardstick *yardstick, struct error *err)
     for (int family = 0; family <= last_family && result == 0; family++) {
         struct count_plan plan = {.first_family = family,
                                   .last_family = family,
-                                  .last = yardstick->inputs.size_count - 1};
+                                  .last = inputs_beyond(&yardstick->inputs)};
         result = count_memory(&yardstick->inputs, &yardstick->reference, &plan, costs, &run, err);
         if (result == 0 && run.failure.verdict != VERDICT_PASSED)
             result = explain_failure(yardstick, &run, err);
@@ -130,13 +130,13 @@ static int measure_reference(struct yardstick *yardstick, struct error *err)
 
 /* -------------------------------------------------------------------- life */
 
-int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise,
-                   uint32_t class_seed, bool quick, struct error *err)
+int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise, struct seeds seeds,
+                   bool quick, struct error *err)
 {
     memset(yardstick, 0, sizeof *yardstick);
     build_clear(&yardstick->reference);
     yardstick->quick = quick;
-    if (inputs_prepare(&yardstick->inputs, exercise, class_seed, err) != 0)
+    if (inputs_prepare(&yardstick->inputs, exercise, seeds, err) != 0)
         return -1;
     size_t count = yardstick->inputs.judge->case_count;
     yardstick->reference_cpu_ns = calloc(count, sizeof *yardstick->reference_cpu_ns);

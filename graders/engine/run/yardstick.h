@@ -25,12 +25,11 @@ struct yardstick {
 /* Builds and counts the reference.
  *
  * exercise   borrowed for the yardstick's life
- * class_seed SEED_PUBLISHED, or the class's own
  * quick      true: leave the counting out
  * returns    0, or -1 and *err (a fault: the reference must build, run and be accepted);
  *            yardstick_release must follow in both cases */
-int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise,
-                   uint32_t class_seed, bool quick, struct error *err) MUST_CHECK;
+int yardstick_make(struct yardstick *yardstick, const struct exercise *exercise, struct seeds seeds,
+                   bool quick, struct error *err) MUST_CHECK;
 
 /* The input of a case; makes it, and runs the reference on it, when that was not done yet. */
 int yardstick_case(struct yardstick *yardstick, size_t index, const struct input **input,
