@@ -12,10 +12,17 @@
 
 enum { CLASSES = GROWTH_CLASS_COUNT, SIZES = GROWTH_SIZES_MAX };
 
+/* Terms beside the classes: work that begins at one of the sizes. */
+enum { STEPS = 2, TERMS = CLASSES + STEPS };
+
 static const double FIRST_SHARE = 0.02, FIRST_RESIDUAL = 0.05;
-static const double PASS_SHARE = 0.10, FAIL_SHARE = 0.25, LAST_SHARE = 0.15;
-static const double CONSTANT_SHARE_MAX = 0.20, RESIDUAL_MAX = 0.03, EXPONENT_MARGIN = 0.5,
-                    LAST_MARGIN = 0.25;
+static const double PASS_SHARE = 0.10, FAIL_SHARE = 0.15;
+static const double CONSTANT_SHARE_MAX = 0.20, RESIDUAL_MAX = 0.03, ROUGH_MARGIN = 0.25,
+                    STEEP_MARGIN = 0.5;
+
+/* What a failure needs: see has_evidence. */
+static const double EXPONENT_OF_EXCESS = 0.3, STEPS_TO_CURVE = 3, STEPS_LEAST = 0.003;
+enum { FREEDOM_LEAST = 3 };
 
 /* Better by less than this (of the residual's square, which is at most 1 a size) is no better: then
  * fewer terms win. Rounding is some 1e-20. */
@@ -63,19 +70,21 @@ double growth_term(enum growth_class class, double n)
 struct mixture {
     int count;
     double n[SIZES], y[SIZES];
-    double coefficient[CLASSES];
+    int step[STEPS];              /* the index of the size where it begins ... */
+    enum growth_class step_class; /* ... and its class */
+    double coefficient[TERMS];
     double residual; /* sum of squared relative residuals */
 };
 
 /* Columns of a least-squares problem, made orthonormal one by one (modified Gram-Schmidt). */
 struct basis {
     int terms, points;
-    int class[CLASSES];
-    double column[CLASSES][SIZES]; /* orthonormal */
-    double r[CLASSES][CLASSES];    /* what they were made of */
-    double scale[CLASSES];         /* of the original column, to length 1 */
-    double projection[CLASSES];    /* of the right-hand side on each */
-    double left[SIZES];            /* of the right-hand side */
+    int term[TERMS];
+    double column[TERMS][SIZES]; /* orthonormal */
+    double r[TERMS][TERMS];      /* what they were made of */
+    double scale[TERMS];         /* of the original column, to length 1 */
+    double projection[TERMS];    /* of the right-hand side on each */
+    double left[SIZES];          /* of the right-hand side */
 };
 
 static double dot(const double *a, const double *b, int count)
@@ -86,13 +95,20 @@ static double dot(const double *a, const double *b, int count)
     return sum;
 }
 
-/* Adds the column of a class. Returns false when it depends on those before. */
-static bool add_column(struct basis *basis, const struct mixture *m, int class)
+static double term_at(const struct mixture *m, int term, int i)
+{
+    if (term < CLASSES)
+        return growth_term((enum growth_class)term, m->n[i]);
+    return i >= m->step[term - CLASSES] ? growth_term(m->step_class, m->n[i]) : 0;
+}
+
+/* Adds the column of a term. Returns false when it depends on those before. */
+static bool add_column(struct basis *basis, const struct mixture *m, int term)
 {
     const int k = basis->terms, points = basis->points;
     double *q = basis->column[k];
     for (int i = 0; i < points; i++)
-        q[i] = growth_term((enum growth_class) class, m->n[i]) / m->y[i];
+        q[i] = term_at(m, term, i) / m->y[i];
     basis->scale[k] = 1 / sqrt(dot(q, q, points));
     for (int i = 0; i < points; i++)
         q[i] *= basis->scale[k];
@@ -110,24 +126,24 @@ static bool add_column(struct basis *basis, const struct mixture *m, int class)
     basis->projection[k] = dot(q, basis->left, points);
     for (int i = 0; i < points; i++)
         basis->left[i] -= basis->projection[k] * q[i];
-    basis->class[basis->terms++] = class;
+    basis->term[basis->terms++] = term;
     return true;
 }
 
 /* Least squares of sum_k c_k column_k against 1 for the terms in `chosen`. Returns false when the
  * columns are dependent or a coefficient is not positive. */
-static bool solve(const struct mixture *m, unsigned chosen, double coefficient[CLASSES],
+static bool solve(const struct mixture *m, unsigned chosen, double coefficient[TERMS],
                   double *residual)
 {
     struct basis basis = {.points = m->count};
     for (int i = 0; i < m->count; i++)
         basis.left[i] = 1;
-    for (int k = 0; k < CLASSES; k++)
+    for (int k = 0; k < TERMS; k++)
         if ((chosen >> k & 1) && !add_column(&basis, m, k))
             return false;
     *residual = dot(basis.left, basis.left, m->count);
-    memset(coefficient, 0, CLASSES * sizeof *coefficient);
-    double x[CLASSES];
+    memset(coefficient, 0, TERMS * sizeof *coefficient);
+    double x[TERMS];
     for (int k = basis.terms - 1; k >= 0; k--) {
         x[k] = basis.projection[k];
         for (int j = k + 1; j < basis.terms; j++)
@@ -135,7 +151,7 @@ static bool solve(const struct mixture *m, unsigned chosen, double coefficient[C
         x[k] /= basis.r[k][k];
         if (!(x[k] > 0))
             return false;
-        coefficient[basis.class[k]] = x[k] * basis.scale[k];
+        coefficient[basis.term[k]] = x[k] * basis.scale[k];
     }
     return true;
 }
@@ -144,9 +160,9 @@ static bool solve(const struct mixture *m, unsigned chosen, double coefficient[C
 static void fit_mixture(struct mixture *m, unsigned offered)
 {
     m->residual = DBL_MAX;
-    for (int terms = 1; terms <= CLASSES; terms++)
-        for (unsigned chosen = 1; chosen < 1U << CLASSES; chosen++) {
-            double coefficient[CLASSES], residual;
+    for (int terms = 1; terms <= TERMS; terms++)
+        for (unsigned chosen = 1; chosen < 1U << TERMS; chosen++) {
+            double coefficient[TERMS], residual;
             if ((chosen & ~offered) || __builtin_popcount(chosen) != terms || terms > m->count)
                 continue;
             if (solve(m, chosen, coefficient, &residual) &&
@@ -190,18 +206,57 @@ static int upper_bound(enum growth_class allowed)
     return allowed == GROWTH_N ? GROWTH_N_LG_N : (int)allowed;
 }
 
-static enum growth_decision decide(const struct growth_fit *fit, int bound, enum growth_look look)
+/* The best that the allowed terms reach together with two steps: what programs do that read their
+ * input once more from some size on, whose table grows, or whose data leave a cache. */
+static double residual_with_steps(const struct mixture *m, int bound)
 {
-    bool last = look == GROWTH_LAST_LOOK;
+    struct mixture stepped = *m;
+    double least = DBL_MAX;
+    unsigned allowed = (2U << bound) - 1, offered = allowed | 3U << CLASSES;
+    stepped.step_class = bound == GROWTH_N_LG_N ? GROWTH_N : (enum growth_class)bound;
+    for (int first = 1; first < m->count; first++)
+        for (int second = first + 1; second <= m->count; second++) { /* count: no second one */
+            stepped.step[0] = first;
+            stepped.step[1] = second;
+            fit_mixture(&stepped, second < m->count ? offered : offered & ~(2U << CLASSES));
+            least = fmin(least, stepped.residual);
+        }
+    return sqrt(least / m->count);
+}
+
+static int count_terms(const struct mixture *m)
+{
+    int count = 0;
+    for (int k = 0; k < TERMS; k++)
+        count += m->coefficient[k] > 0;
+    return count;
+}
+
+/* Whether a share above what passes is more than an accident: more sizes than terms, a slope that
+ * goes with the share, and no explanation by steps that is nearly as good. */
+static bool has_evidence(const struct growth_fit *fit, const struct mixture *m, int bound)
+{
+    double rise = fit->exponent - classes[bound].exponent;
+    if (m->count - count_terms(m) < FREEDOM_LEAST || rise < EXPONENT_OF_EXCESS * fit->excess)
+        return false;
+    if (fit->residual > RESIDUAL_MAX && rise < ROUGH_MARGIN)
+        return false;
+    double stepped = residual_with_steps(m, bound);
+    bool is_steep = rise >= STEEP_MARGIN && stepped > RESIDUAL_MAX; /* also where no curve fits */
+    return is_steep || (stepped > STEPS_LEAST && stepped > STEPS_TO_CURVE * fit->residual);
+}
+
+static enum growth_decision decide(const struct growth_fit *fit, const struct mixture *m, int bound,
+                                   enum growth_look look)
+{
     if (look == GROWTH_FIRST_LOOK)
         return fit->excess <= FIRST_SHARE && fit->residual <= FIRST_RESIDUAL ? GROWTH_PASS
                                                                              : GROWTH_UNDECIDED;
-    if (fit->excess <= PASS_SHARE || (last && fit->excess < LAST_SHARE))
+    if (fit->excess <= PASS_SHARE)
         return GROWTH_PASS;
-    double margin = last ? LAST_MARGIN : EXPONENT_MARGIN;
-    if (fit->residual > RESIDUAL_MAX && fit->exponent < classes[bound].exponent + margin)
-        return last ? GROWTH_PASS : GROWTH_UNDECIDED;
-    return last || fit->excess >= FAIL_SHARE ? GROWTH_FAIL : GROWTH_UNDECIDED;
+    if (look == GROWTH_FULL_LOOK)
+        return GROWTH_UNDECIDED;
+    return fit->excess >= FAIL_SHARE && has_evidence(fit, m, bound) ? GROWTH_FAIL : GROWTH_PASS;
 }
 
 /* The largest class that, with those above it, does enough of the work to matter. More than the
@@ -264,7 +319,7 @@ int growth_fit(const int64_t *sizes, const int64_t *counts, int count, enum grow
     }
     fit->residual = sqrt(m.residual / m.count);
     fit->exponent = top_slope(&m);
-    fit->decision = decide(fit, bound, look);
+    fit->decision = decide(fit, &m, bound, look);
     fit->class = label(fit, bound);
     return 0;
 }

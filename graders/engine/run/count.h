@@ -25,7 +25,7 @@ struct count_plan {
     int first, last;
     bool leaps;          /* after four sizes go on with `last`, unless the work rises fast */
     bool stops_early;    /* leave out the larger sizes of a family whose work is far beyond the
-                            reference's and rising; `first` must be 0 */
+                            reference's and rising */
     bool without_misses; /* count instructions alone: half the time */
     const struct cost
         *reference[FAMILIES_MAX]; /* what the reference's work costs at each size; NULL

@@ -211,6 +211,7 @@ static int look_closer(struct trial *trial, int family, int first, int last, boo
                               .last_family = family,
                               .first = first,
                               .last = last,
+                              .stops_early = true,
                               .without_misses = true};
     if (!*right || found->fit.decision != GROWTH_UNDECIDED || found->hopeless || first > last)
         return 0;
@@ -232,7 +233,8 @@ static int judge_growth(struct trial *trial, int family, bool *right, struct err
         return -1;
     if (!*right)
         return 0;
-    if (found->fit.decision == GROWTH_UNDECIDED && fit(trial, family, GROWTH_LAST_LOOK, err) != 0)
+    if (found->fit.decision == GROWTH_UNDECIDED && !found->hopeless &&
+        fit(trial, family, GROWTH_LAST_LOOK, err) != 0)
         return -1;
     if (found->fit.decision == GROWTH_FAIL || found->hopeless)
         say_growth(trial, family);
