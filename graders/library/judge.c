@@ -112,6 +112,11 @@ static int write_sized(const struct judge *judge, const struct size_family *fami
     return failed;
 }
 
+int64_t judge_size_near(const struct judge *judge, int family, int64_t size)
+{
+    return judge->size_near ? judge->size_near(family, size) : size;
+}
+
 int judge_make_sized(const struct judge *judge, int family, int64_t size, uint64_t seed,
                      struct writer *input, struct error *err)
 {

@@ -122,6 +122,9 @@ struct judge {
     int (*make_sized)(int family, int64_t size, uint64_t seed, struct writer *input,
                       struct error *err);
 
+    /* The size near `size`, which may be any number, that make_sized can make. NULL: all of them. */
+    int64_t (*size_near)(int family, int64_t size);
+
     /* Without `answer`: bytes that an answer to `input` can take at most, wrong ones included. */
     size_t (*bound)(struct span input);
 };
@@ -140,6 +143,9 @@ static inline bool judge_case_is_quick(const struct judge_case *c)
 
 int judge_family_count(const struct judge *judge);
 const char *judge_family_name(const struct judge *judge, int family);
+
+/* The size near `size` that a family of the judge has. */
+int64_t judge_size_near(const struct judge *judge, int family, int64_t size);
 
 /* Writes the input of a case, or of a size of a family. Return 0, or -1 and *err. */
 int judge_make(const struct judge *judge, const struct judge_case *c, const char *models,

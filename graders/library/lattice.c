@@ -60,6 +60,12 @@ const struct size_family lattice_families[] = {[SQUARE] = {"square", FAMILY_OWN,
                                                [ONE_COLUMN] = {"one-column", FAMILY_OWN, 0},
                                                {NULL}};
 
+int64_t lattice_size_near(int family, int64_t vertex_count)
+{
+    int64_t rows = family == SQUARE ? (int64_t)sqrt((double)vertex_count) : 2;
+    return vertex_count / rows * rows;
+}
+
 int lattice_make_sized(const struct question *build, int64_t looks, int family,
                        int64_t vertex_count, struct writer *input, struct error *err)
 {

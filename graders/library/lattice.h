@@ -26,6 +26,9 @@ int64_t lattice_mesh_bytes(int64_t m, int64_t n);
 /* Sizes: grids of exactly so many vertices, square (or nearly), of one row and of one column. */
 extern const struct size_family lattice_families[];
 
+/* The size near `vertex_count` of which there is a grid: as square as can be, or of one row. */
+int64_t lattice_size_near(int family, int64_t vertex_count);
+
 /* Asks a builder for the grid of a size of one of these families: its numbers are m, n and `looks`.
  * There is one grid of each size and shape. Returns 0, or -1 and *err (no such grid). */
 int lattice_make_sized(const struct question *build, int64_t looks, int family,

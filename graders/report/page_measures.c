@@ -1,6 +1,7 @@
 /* Work and memory of a result: charts, the doubling table, memory beside the reference's. */
 #include "graders/report/page.h"
 
+#include "bench/measure/growth.h"
 #include "graders/report/chart.h"
 
 #include <math.h>
@@ -83,6 +84,14 @@ static void write_doubling_table(struct html *page, const json_t *family, struct
     html_close(page, "table");
 }
 
+/* A share that steps explain as well is not told: the class that was found is allowed then. */
+static bool is_above(const char *class_name, const char *allowed_name)
+{
+    enum growth_class class, allowed;
+    return growth_class_find(class_name, &class) != 0 || /* n^3, which cannot be allowed */
+           (growth_class_find(allowed_name, &allowed) == 0 && class > allowed);
+}
+
 static void write_family_title(struct html *page, const json_t *family, const json_t *growth)
 {
     const json_t *fit = json_object_get(family, "fit");
@@ -95,7 +104,7 @@ static void write_family_title(struct html *page, const json_t *family, const js
     html_both(page, (struct phrase){"; allowed: ", "; se permite: "});
     html_leaf(page, "b", NULL, result_text(growth, "allowed"));
     double excess = result_number(fit, "excess_percent");
-    if (excess >= 1) {
+    if (excess >= 1 && is_above(result_text(fit, "class"), result_text(growth, "allowed"))) {
         struct message share;
         message_say(&share, "; %.0f %% of the work at the largest size grows faster",
                     "; el %.0f %% del trabajo en el tamaño mayor crece más deprisa", excess);
@@ -127,6 +136,11 @@ static void write_growth(struct html *page, const json_t *result)
     write_doubling_table(page, decides, elements);
     html_close(page, "div");
     html_close(page, "div");
+    html_both_leaf(
+        page, "p", "note",
+        (struct phrase){"Sizes are about these: each class has its own, drawn at random.",
+                        "Los tamaños son más o menos estos: cada clase tiene los suyos, "
+                        "al azar."});
     size_t i;
     json_t *family;
     json_array_foreach(json_object_get(growth, "families"), i, family)

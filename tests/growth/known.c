@@ -134,7 +134,7 @@ static int false_fails(const struct trial *trial, enum growth_class allowed, str
                                 cos(2 * 3.14159265358979323846 * random_real(random));
                 if (!costs[s].counted)
                     continue;
-                sizes[counted] = yardstick->inputs.sizes[s];
+                sizes[counted] = yardstick->inputs.sizes[family][s];
                 counts[counted++] =
                     (int64_t)((double)costs[s].counts.instructions * (1 + VARIATION * normal));
             }

@@ -87,8 +87,8 @@ int inputs_sized(struct inputs *inputs, int family, int size_index, const struct
     if (made->bytes != 0)
         return 0;
     struct writer writer = writer_growing();
-    int result = judge_make_sized(inputs->judge, family, inputs->sizes[size_index], inputs->seed,
-                                  &writer, err);
+    int result = judge_make_sized(inputs->judge, family, inputs->sizes[family][size_index],
+                                  inputs->seed, &writer, err);
     if (result == 0)
         result = seal_input(inputs->judge, &writer, made, err);
     writer_release(&writer);
@@ -119,7 +119,8 @@ static void choose_sizes(struct inputs *inputs)
     for (int i = 0; i < inputs->size_count + EXTRA_DOUBLINGS; i++) {
         inputs->told_sizes[i] = exercise->growth_first_size << i;
         double size = factor * (0.985 + 0.03 * draw(&rng)) * (double)inputs->told_sizes[i];
-        inputs->sizes[i] = (int64_t)ceil(size);
+        for (int family = 0; family < inputs->family_count; family++)
+            inputs->sizes[family][i] = judge_size_near(inputs->judge, family, (int64_t)ceil(size));
     }
 }
 

@@ -44,10 +44,10 @@ struct inputs {
     struct judge seeded;       /* the exercise's judge, with the cases below */
     struct judge_case *seeded_cases;
     char models[PATH_MAX];
-    struct input *cases;           /* judge->case_count */
-    int family_count, size_count;  /* 0 when no growth is checked; size_count before extensions */
-    int64_t sizes[SIZES_MAX];      /* size_count, then EXTRA_DOUBLINGS more; drawn */
-    int64_t told_sizes[SIZES_MAX]; /* about the same: what people are told */
+    struct input *cases;          /* judge->case_count */
+    int family_count, size_count; /* 0 when no growth is checked; size_count before extensions */
+    int64_t sizes[FAMILIES_MAX][SIZES_MAX]; /* size_count, then EXTRA_DOUBLINGS more; drawn */
+    int64_t told_sizes[SIZES_MAX];          /* about the same: what people are told */
     struct input sized[FAMILIES_MAX][SIZES_MAX];
     uint64_t seed; /* of the sized inputs */
     struct seeds seeds;

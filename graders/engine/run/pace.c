@@ -27,7 +27,7 @@ static int make_fresh(struct pace *pace, struct error *err)
     struct input *input = &pace->fresh;
     struct writer writer = writer_growing();
     int result = judge_make_sized(yardstick->inputs.judge, pace->family,
-                                  yardstick->inputs.sizes[pace->size_index],
+                                  yardstick->inputs.sizes[pace->family][pace->size_index],
                                   pace->seed + pace->pairs, &writer, err);
     if (result == 0 && (writer.failed || writer.count > input->region.capacity))
         result = error_set(err, "judge %s: inputs of one size differ in bytes",
@@ -94,7 +94,7 @@ static int start_both(struct pace *pace, const struct input *sample, struct erro
 int pace_size_index(const struct yardstick *yardstick)
 {
     int index = 0;
-    while (index + 1 < SIZES_MAX && yardstick->inputs.sizes[index + 1] > 0)
+    while (index + 1 < SIZES_MAX && yardstick->inputs.told_sizes[index + 1] > 0)
         index++;
     return index;
 }

@@ -147,7 +147,7 @@ static int fit(struct trial *trial, int family, enum growth_look look, struct er
     for (int i = 0; i < found->size_count; i++) {
         if (!found->costs[i].counted)
             continue;
-        sizes[count] = trial->yardstick->inputs.sizes[i];
+        sizes[count] = trial->yardstick->inputs.sizes[family][i];
         counts[count++] = found->costs[i].counts.instructions;
     }
     found->fitted = true;

@@ -141,4 +141,5 @@ const struct judge judge_memory_indexed_grid = {
     .input = INPUT_QUESTION,
     .families = lattice_families,
     .make_sized = make_sized,
+    .size_near = lattice_size_near,
 };

@@ -231,4 +231,5 @@ const struct judge judge_memory_strips = {
     .input = INPUT_QUESTION,
     .families = lattice_families,
     .make_sized = make_sized,
+    .size_near = lattice_size_near,
 };

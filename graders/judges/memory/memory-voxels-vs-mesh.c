@@ -193,7 +193,14 @@ enum { FAMILY_VOXELS, FAMILY_MESH };
 static const struct size_family families[] = {
     [FAMILY_VOXELS] = {"voxels", FAMILY_OWN, 0}, [FAMILY_MESH] = {"mesh", FAMILY_OWN, 0}, {NULL}};
 
-/* About `size` cells or vertices: k is whole. There is one sphere for a k. */
+/* k is whole. */
+static int64_t size_near(int family, int64_t size)
+{
+    int64_t k = llround(family == FAMILY_VOXELS ? cbrt((double)size) : sqrt((double)size));
+    return family == FAMILY_VOXELS ? k * k * k : k * k;
+}
+
+/* `size` cells or vertices. There is one sphere for a k. */
 static int make_sized(int family, int64_t size, uint64_t seed, struct writer *input,
                       struct error *err)
 {
@@ -213,4 +220,5 @@ const struct judge judge_memory_voxels_vs_mesh = {
     .input = INPUT_QUESTION,
     .families = families,
     .make_sized = make_sized,
+    .size_near = size_near,
 };
