@@ -45,8 +45,8 @@ static void add_grading(struct finding *findings, int *count)
     *counting = (struct finding){.name = "counted work (valgrind)"};
     const char *root = project_root(&err);
     if (root && exercises_read(root, &exercises, &exercise_count, &err) == 0) {
-        grading->works =
-            yardstick_make(&yardstick, &exercises[0], seeds_of_class(SEED_PUBLISHED), false, &err) == 0;
+        grading->works = yardstick_make(&yardstick, &exercises[0], seeds_of_class(SEED_PUBLISHED),
+                                        false, &err) == 0;
         counting->works = grading->works && yardstick.probes.valgrind;
         snprintf(counting->reason, sizeof counting->reason, "%s",
                  phrase_text(yardstick.probes.no_valgrind, LANGUAGE_EN));

@@ -83,20 +83,19 @@ static bool is_library_line(const char *text, const char *at)
 static char *replaced(const char *text, const char *from, const char *to)
 {
     size_t count = 0, length = strlen(from), more = strlen(to);
-    char *made = malloc(strlen(text) * (more / length + 2) + 1);
+    char *made = calloc(strlen(text) * (more / length + 2) + 1, 1);
     if (!made)
         return NULL;
     for (const char *at = text; *at;) {
         if (strncmp(at, from, length) == 0 && stands_alone(text, at, length) &&
             !is_library_line(text, at)) {
-            memcpy(made + count, to, more);
+            stpcpy(made + count, to);
             count += more;
             at += length;
         } else {
             made[count++] = *at++;
         }
     }
-    made[count] = '\0';
     return made;
 }
 

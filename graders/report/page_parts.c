@@ -111,8 +111,11 @@ void page_end(struct html *page, const struct gradebook *book)
     html_open(page, "footer");
     html_format(page, "meshgrade %s · %s", result_text(engine, "version"),
                 result_text(engine, "compiler"));
-    if (*result_text(engine, "seed"))
-        html_format(page, " · seed %s", result_text(engine, "seed"));
+    if (*result_text(engine, "seed")) {
+        struct message seed;
+        message_say(&seed, " · seed %s", " · semilla %s", result_text(engine, "seed"));
+        html_both(page, message_phrase(&seed));
+    }
     html_close(page, "footer");
     html_close(page, "body");
     html_close(page, "html");

@@ -177,7 +177,8 @@ int main(int argc, char **argv)
     int code = EXIT_FAULT;
     if (!exercise || !paths)
         fprintf(stderr, "judge_mutants: no exercise %s, or no files\n", argv[1]);
-    else if (yardstick_make(&yardstick, exercise, seeds_of_class(SEED_PUBLISHED), quick, &err) != 0 ||
+    else if (yardstick_make(&yardstick, exercise, seeds_of_class(SEED_PUBLISHED), quick, &err) !=
+                 0 ||
              yardstick_make_cases(&yardstick, false, &err) != 0)
         fprintf(stderr, "judge_mutants: %s\n", err.text);
     else

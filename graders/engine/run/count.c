@@ -206,10 +206,10 @@ static int blame_dump(const struct series *series, const struct error *why, stru
 {
     if (series_check_way(series, err) != 0)
         return -1;
-    attempt_say(failure, VERDICT_FLAGGED, &no_counts,
-                "The work counts look tampered with (%.200s): a person must look at it.",
-                "Las cuentas del trabajo parecen manipuladas (%.200s): debe mirarlo una persona.",
-                why->text);
+    attempt_say(failure, VERDICT_FLAGGED, &no_counts, "The work counts look tampered with",
+                "Las cuentas del trabajo parecen manipuladas");
+    message_en(&failure->message, " (%.200s)", why->text); /* an error has no Spanish */
+    message_add(&failure->message, ": a person must look at it.", ": debe mirarlo una persona.");
     return 0;
 }
 

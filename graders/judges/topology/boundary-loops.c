@@ -124,34 +124,41 @@ static const struct fault *pass_edge(struct check *check, int32_t a, int32_t b)
     return NULL;
 }
 
+static void reject_step(const struct fault *fault, int64_t loop, bool is_last, int32_t a, int32_t b,
+                        struct judgement *out)
+{
+    judge_name_one(out, loop_noun, "%" PRId64 ", (%d,%d)", loop, a, b);
+    judge_reject_for(out, &fault->cause);
+    judge_en(out, "loop %" PRId64 " goes %sfrom %d to %d%s", loop, is_last ? "back " : "", a, b,
+             fault->says.en);
+    judge_es(out, "el bucle %" PRId64 " %s de %d a %d%s", loop, is_last ? "vuelve" : "va", a, b,
+             fault->says.es);
+    if (a == b)
+        scene_mark_vertex(&out->scene, MARK_WRONG, a);
+    else
+        scene_mark_arrow(&out->scene, MARK_WRONG, a, b);
+}
+
 /* Follows a loop up to its first wrong step. Returns whether all are right. */
 static bool follow_loop(struct check *check, int64_t loop, struct judgement *out)
 {
     const int32_t *vertices = loop_vertices(check, loop);
     int64_t length = loop_length(check, loop);
-    const struct fault *fault = NULL;
-    for (int64_t i = 0; i < length && !fault; i++) {
-        bool last = i + 1 == length;
-        int32_t a = vertices[i], b = vertices[last ? 0 : i + 1];
-        if (!(fault = pass_edge(check, a, b)))
-            continue;
-        judge_name_one(out, loop_noun, "%" PRId64 ", (%d,%d)", loop, a, b);
-        judge_reject_for(out, &fault->cause);
-        judge_en(out, "loop %" PRId64 " goes %sfrom %d to %d%s", loop, last ? "back " : "", a, b,
-                 fault->says.en);
-        judge_es(out, "el bucle %" PRId64 " %s de %d a %d%s", loop, last ? "vuelve" : "va", a, b,
-                 fault->says.es);
-        if (a == b)
-            scene_mark_vertex(&out->scene, MARK_WRONG, a);
-        else
-            scene_mark_arrow(&out->scene, MARK_WRONG, a, b);
+    for (int64_t i = 0; i < length; i++) {
+        bool is_last = i + 1 == length;
+        int32_t a = vertices[i], b = vertices[is_last ? 0 : i + 1];
+        const struct fault *fault = pass_edge(check, a, b);
+        if (fault) {
+            reject_step(fault, loop, is_last, a, b, out);
+            return false;
+        }
     }
     if (length == 0) {
         judge_name_one(out, loop_noun, "%" PRId64, loop);
         judge_reject(out, &empty_loop, "loop %" PRId64 " has no vertex.",
                      "el bucle %" PRId64 " no tiene ningún vértice.", loop);
     }
-    return length > 0 && !fault;
+    return length > 0;
 }
 
 static void reject_missing(const struct check *check, struct judgement *out)
