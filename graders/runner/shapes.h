@@ -37,7 +37,8 @@ struct given {
     int64_t number[SHAPES_NUMBERS];
 };
 
-/* Read what the judge's inputs write: INPUT_MESH and INPUT_TOPOLOGY, INPUT_POLYGONS, and so on. */
+/* Read what the judge's inputs write: INPUT_MESH and INPUT_TOPOLOGY, INPUT_POLYGONS, and so on. What
+ * the judge writes beside (judge.h, write_beside) is next in the packet. */
 struct given given_triangles(struct reader *input);
 struct given given_polygons(struct reader *input);
 struct given given_soup(struct reader *input);  /* points, face_count */
