@@ -74,10 +74,16 @@ static int write_input(const struct judge *judge, const struct judge_case *c, co
     return mesh_file_write(judge, c, models, input, err);
 }
 
+/* Whether more follows behind the numbers: attributes, and what the judge writes beside. */
+static bool has_more(const struct judge *judge)
+{
+    return judge->write_beside || judge->attributes[0].of != PER_NOTHING;
+}
+
 /* A runner reads as many numbers as there are, and four when more follows. */
 static int number_count(const struct judge *judge)
 {
-    return judge->write_beside ? 4 : judge->numbers;
+    return has_more(judge) ? 4 : judge->numbers;
 }
 
 static int write_numbers(const struct judge *judge, const int64_t number[4], struct writer *input,
@@ -125,24 +131,28 @@ static struct task read_input(const struct judge *judge, struct span input)
     }
     for (int i = 0; i < number_count(judge); i++)
         task.number[i] = read_int(&reader);
+    if (has_more(judge) && reader.at < reader.count)
+        attributes_read(&reader, task.attribute);
     task.beside = reader;
     return task;
 }
 
-/* Writes what is given behind the input that `input` holds so far. */
-static int write_beside(const struct judge *judge, uint64_t seed, struct writer *input,
-                        struct error *err)
+/* Writes what is given behind the input and the numbers that `input` holds so far. */
+static int write_more(const struct judge *judge, uint64_t seed, struct writer *input,
+                      struct error *err)
 {
-    if (!judge->write_beside)
+    if (!has_more(judge))
         return 0;
-    struct writer beside = writer_growing(); /* `input` may move when it grows */
+    struct writer more = writer_growing(); /* `input` may move when it grows */
     struct task task = read_input(judge, (struct span){input->bytes, input->count});
-    int failed = judge->write_beside(&task, seed, &beside, err);
+    int failed = attributes_write(judge->attributes, task.sizes, seed, &more, err);
+    if (!failed && judge->write_beside)
+        failed = judge->write_beside(&task, seed, &more, err);
     if (!failed)
-        write_array(input, beside.bytes, (int64_t)beside.count, 1);
-    if (!failed && (beside.failed || input->failed))
+        write_array(input, more.bytes, (int64_t)more.count, 1);
+    if (!failed && (more.failed || input->failed))
         failed = error_set(err, "out of memory for an input");
-    writer_release(&beside);
+    writer_release(&more);
     return failed;
 }
 
@@ -153,7 +163,7 @@ int judge_make(const struct judge *judge, const struct judge_case *c, const char
         return -1;
     if (write_numbers(judge, c->number, input, err) != 0)
         return -1;
-    return write_beside(judge, c->seed, input, err);
+    return write_more(judge, c->seed, input, err);
 }
 
 /* A size of a family that is made of triangles or polygons. */
@@ -194,7 +204,7 @@ int judge_make_sized(const struct judge *judge, int family, int64_t size, uint64
         return -1;
     if (write_numbers(judge, shape->has_number ? shape->number : none, input, err) != 0)
         return -1;
-    return write_beside(judge, seed, input, err);
+    return write_more(judge, seed, input, err);
 }
 
 size_t judge_answer_bound(const struct judge *judge, struct span input)

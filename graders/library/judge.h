@@ -16,6 +16,7 @@
 #define GRADERS_LIBRARY_JUDGE_H
 
 #include "graders/library/answer.h"
+#include "graders/library/attributes.h"
 #include "graders/library/families.h"
 #include "graders/library/fields.h"
 #include "graders/library/judgement.h"
@@ -90,8 +91,9 @@ struct task {
     struct line_view line;        /* INPUT_LINE */
     struct field_view field;      /* INPUT_FIELD */
     int64_t number[4];            /* what the case gives beside the mesh */
-    struct reader beside;         /* what write_beside wrote; a copy of it reads */
-    struct answer answer;         /* when the judge declares one: read and bounded */
+    struct attribute_view attribute[ATTRIBUTES_MOST];
+    struct reader beside; /* what write_beside wrote; a copy of it reads */
+    struct answer answer; /* when the judge declares one: read and bounded */
 };
 
 struct judge {
@@ -100,7 +102,8 @@ struct judge {
     size_t case_count;
 
     enum judge_input input;
-    int numbers;                        /* how many of a case's numbers are given with the input */
+    int numbers; /* how many of a case's numbers are given with the input */
+    struct attribute_rule attributes[ATTRIBUTES_MOST]; /* given with the mesh: attributes.h */
     const struct size_family *families; /* ended by a name NULL; NULL: no growth is counted */
     const struct answer_rule *answer;   /* NULL: judge() reads task->said itself */
 

@@ -30,6 +30,8 @@
  *   mesh_input.h  a soup (INPUT_SOUP): the triangles of a recipe, nine floats each
  *   cases.h     standard cases, class by class: CASES_OPEN(11), ...
  *   families.h  inputs of any exact size, on which growth, work and memory are measured
+ *   attributes.h  numbers for each vertex, corner or face, given with the mesh
+ *                   .attributes = {{PER_CORNER, 2, ATTRIBUTE_RANDOM}}
  *   judge.h     .write_beside: what is computed from the input and given with it: a structure of the
  *               mesh, a list of the elements that are asked for
  *   .number     up to four integers that are given beside (struct judge's `numbers` says how many):
@@ -40,7 +42,8 @@
  *
  *   answer.h    declared once; read, bounded and looked through before judge() is called. Tables of
  *               k numbers, several of them, rows of unequal length, arrays of the caller's, a
- * count, a status, a real; NULL, negative or huge counts, offsets and indices out of range are
+ *               attribute for each vertex, corner or face (ANSWER_PER_CORNER), a count, a status, a
+ *               real; NULL, negative or huge counts, offsets and indices out of range are
  *               named there, for all exercises in the same words
  *   questions.h exercises that ask several formulas, numbers and builders; formula.h judges these
  *   a judge that declares no answer reads task->said by a struct reader (wire/packet.h)
