@@ -35,7 +35,8 @@ static const struct cause impossible_count = {"impossible-count",
 static const struct cause no_element = {"no-such-element",
                                         {"no such element", "elemento inexistente"}};
 static const struct cause itself = {"lists-itself", {"lists itself", "se incluye a sí mismo"}};
-static const struct cause not_adjacent = {"not-adjacent", {"not a neighbour", "no es vecino"}};
+static const struct cause wrong_element = {"wrong-element",
+                                           {"wrong element", "elemento incorrecto"}};
 static const struct cause repeated = {"listed-twice", {"listed twice", "aparece dos veces"}};
 static const struct cause missing = {"neighbour-missing", {"neighbour missing", "falta un vecino"}};
 static const struct cause clockwise = {"clockwise", {"clockwise", "en sentido horario"}};
@@ -86,14 +87,16 @@ static bool is_among(int32_t number, const int32_t *list, int32_t count)
     return false;
 }
 
-/* What the verdict names is marked by now: the element that is asked for, and what is listed
+enum { NONE = -1 };
+
+/* What the verdict names is marked by now: the element that is asked for, and what else is listed
  * rightly. */
-static void show_rest(const struct reply *reply, struct scene *scene)
+static void show_rest(const struct reply *reply, int32_t named, struct scene *scene)
 {
     const struct neighbour_query *query = reply->query;
     mark(reply, scene, of_asked, query->of, reply->asked->element);
     for (int32_t i = 0; i < reply->got_count; i++)
-        if (is_among(reply->got[i], reply->right, reply->right_count))
+        if (reply->got[i] != named && is_among(reply->got[i], reply->right, reply->right_count))
             mark(reply, scene, of_listed, query->finds, reply->got[i]);
     scene_name_marks(scene, of_asked, asked_for);
     scene_name_marks(scene, of_listed, rightly_listed);
@@ -133,7 +136,7 @@ static void reject_count(const struct reply *reply, struct judgement *out)
     begin(reply, &impossible_count, out);
     judge_en(out, "returned %d, but there are %d.", reply->asked->returned, reply->right_count);
     judge_es(out, "ha devuelto %d, pero hay %d.", reply->asked->returned, reply->right_count);
-    show_rest(reply, &out->scene);
+    show_rest(reply, NONE, &out->scene);
 }
 
 /* Something that is listed is no neighbour. */
@@ -145,7 +148,7 @@ static void reject_extra(const struct reply *reply, int32_t found, struct judgem
     struct phrase noun = definite[query->finds];
     bool exists = found >= 0 && found < counts[query->finds];
     bool is_itself = query->of == query->finds && found == reply->asked->element;
-    begin(reply, !exists ? &no_element : is_itself ? &itself : &not_adjacent, out);
+    begin(reply, !exists ? &no_element : is_itself ? &itself : &wrong_element, out);
     judge_en(out, "lists %s %d, ", noun.en, found);
     judge_es(out, "incluye %s %d, ", noun.es, found);
     if (!exists) {
@@ -155,12 +158,12 @@ static void reject_extra(const struct reply *reply, int32_t found, struct judgem
         judge_en(out, "which is the one that was asked for.");
         judge_es(out, "que es el propio elemento de la consulta.");
     } else {
-        judge_en(out, "which is no neighbour.");
+        judge_en(out, "which is not one of them.");
         judge_es(out, "que no corresponde.");
     }
     say_right(reply, out);
     mark(reply, &out->scene, MARK_EXTRA, query->finds, found);
-    show_rest(reply, &out->scene);
+    show_rest(reply, found, &out->scene);
 }
 
 static void reject_repeated(const struct reply *reply, const struct set_fault *fault,
@@ -177,7 +180,7 @@ static void reject_repeated(const struct reply *reply, const struct set_fault *f
         fault->repeated == reply->got_count - 1)
         judge_hint(out, closes);
     mark(reply, &out->scene, MARK_DUPLICATE, query->finds, found);
-    show_rest(reply, &out->scene);
+    show_rest(reply, found, &out->scene);
 }
 
 /* Whether all edges that an answer of edges_of_edge lacks are at one end of the edge. */
@@ -206,16 +209,16 @@ static void reject_missing(const struct reply *reply, const struct set_fault *fa
     const struct neighbour_query *query = reply->query;
     int32_t wanted = reply->right[fault->missing];
     begin(reply, &missing, out);
-    judge_en(out, "does not list %s %d; %" PRId64 " of %d are missing.", definite[query->finds].en,
+    judge_en(out, "does not list %s %d (missing: %" PRId64 " of %d).", definite[query->finds].en,
              wanted, fault->missing_count, reply->right_count);
-    judge_es(out, "no incluye %s %d; faltan %" PRId64 " de %d.", definite[query->finds].es, wanted,
-             fault->missing_count, reply->right_count);
+    judge_es(out, "no incluye %s %d (faltan: %" PRId64 " de %d).", definite[query->finds].es,
+             wanted, fault->missing_count, reply->right_count);
     if (lacks_one_end(reply, fault))
         judge_hint(out, one_end);
     for (int32_t i = 0; i < reply->right_count; i++)
         if (fault->right_marks[i] == SET_MISSING)
             mark(reply, &out->scene, MARK_MISSING, query->finds, reply->right[i]);
-    show_rest(reply, &out->scene);
+    show_rest(reply, NONE, &out->scene);
 }
 
 /* The right ones, but in another order than around the face. */
@@ -243,7 +246,7 @@ static void reject_order(const struct reply *reply, const struct cycle_fault *fa
         mark(reply, &out->scene, MARK_WRONG, query->finds, fault->step.found);
         mark(reply, &out->scene, MARK_RIGHT, query->finds, fault->step.wanted);
     }
-    show_rest(reply, &out->scene);
+    show_rest(reply, reversed ? NONE : fault->step.found, &out->scene);
 }
 
 static int judge_order(const struct reply *reply, struct judgement *out, struct error *err)
