@@ -155,23 +155,24 @@ static json_t *family_accesses_json(const struct trial *trial, int family)
     for (int i = 0; i < found->size_count; i++) {
         if (!found->costs[i].counted || !yardstick->costs[family][i].counted)
             continue;
-        json_array_append_new(sizes, json_integer(yardstick->sizes[i]));
+        json_array_append_new(sizes, json_integer(yardstick->inputs.sizes[i]));
         json_array_append_new(mine, json_integer(found->costs[i].access_count));
         json_array_append_new(theirs, json_integer(yardstick->costs[family][i].access_count));
     }
-    return json_pack("{s:s, s:o, s:o, s:o}", "name", judge_family_name(yardstick->judge, family),
-                     "sizes", sizes, "accesses", mine, "reference_accesses", theirs);
+    return json_pack("{s:s, s:o, s:o, s:o}", "name",
+                     judge_family_name(yardstick->inputs.judge, family), "sizes", sizes, "accesses",
+                     mine, "reference_accesses", theirs);
 }
 
 static json_t *accesses_json(const struct trial *trial)
 {
     json_t *families = json_array();
     json_array_append_new(families, family_accesses_json(trial, trial->access_family));
-    for (int i = 0; i < trial->yardstick->family_count; i++)
+    for (int i = 0; i < trial->yardstick->inputs.family_count; i++)
         if (i != trial->access_family)
             json_array_append_new(families, family_accesses_json(trial, i));
     return json_pack("{s:o, s:o, s:o}", "ratio", rounded(trial->access_ratio), "band",
-                     rounded(trial->yardstick->exercise->access_band), "families", families);
+                     rounded(trial->yardstick->inputs.exercise->access_band), "families", families);
 }
 
 json_t *measures_json(const struct trial *trial)
