@@ -155,7 +155,7 @@ static json_t *family_accesses_json(const struct trial *trial, int family)
     for (int i = 0; i < found->size_count; i++) {
         if (!found->costs[i].counted || !yardstick->costs[family][i].counted)
             continue;
-        json_array_append_new(sizes, json_integer(yardstick->inputs.sizes[i]));
+        json_array_append_new(sizes, json_integer(yardstick->inputs.told_sizes[i]));
         json_array_append_new(mine, json_integer(found->costs[i].access_count));
         json_array_append_new(theirs, json_integer(yardstick->costs[family][i].access_count));
     }
