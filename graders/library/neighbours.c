@@ -313,3 +313,15 @@ int neighbours_judge(const struct neighbour_asked *asked, struct judgement *out,
     free(right);
     return failed;
 }
+
+void neighbours_show(const struct neighbour_asked *asked, struct scene *scene)
+{
+    const struct reply reply = {.asked = asked,
+                                .we = asked->we,
+                                .query = &neighbour_queries[asked->kind],
+                                .got = asked->listed,
+                                .right = asked->listed,
+                                .got_count = asked->listed_count,
+                                .right_count = asked->listed_count};
+    show_rest(&reply, NONE, scene);
+}

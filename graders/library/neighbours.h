@@ -57,6 +57,10 @@ struct neighbour_asked {
 int neighbours_judge(const struct neighbour_asked *asked, struct judgement *out,
                      struct error *err) MUST_CHECK;
 
+/* Shows a query that was answered rightly, where something else is wrong with the answers: the
+ * element and what is listed for it. */
+void neighbours_show(const struct neighbour_asked *asked, struct scene *scene);
+
 /* How many there are, and the accesses without which no program can find them. */
 int32_t neighbours_count(const struct winged_edge_mesh *we, int kind, int32_t element);
 int64_t neighbours_least_accesses(const struct winged_edge_mesh *we, int kind, int32_t element);

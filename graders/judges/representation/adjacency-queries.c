@@ -176,7 +176,7 @@ static const struct asked *read_asked(const struct task *task, const struct wing
 
 /* ------------------------------------------------------------------------------------- judging */
 
-/* All queries in turn, up to the first that is answered wrongly. `listed` gets what there is to
+/* All queries in turn, up to the first that is answered wrongly, which is shown. `listed` gets what there is to
  * list, `least` the accesses without which nobody can. */
 static int judge_queries(const struct task *task, const struct winged_edge_mesh *we,
                          int64_t *listed, int64_t *least, struct judgement *out, struct error *err)
@@ -205,6 +205,8 @@ static int judge_queries(const struct task *task, const struct winged_edge_mesh 
         *least += neighbours_least_accesses(we, one->kind, one->element);
         if (neighbours_judge(&query, out, err))
             return -1;
+        if (i == count - 1 && !out->cause[0]) /* what is beyond a band shows one query */
+            neighbours_show(&query, &out->scene);
     }
     return 0;
 }
