@@ -130,6 +130,7 @@ struct judge {
 
     /* The size near `size`, which may be any number, that make_sized can make. NULL: all of them. */
     int64_t (*size_near)(int family, int64_t size);
+
     /* What is given beside an input that is declared, and must be computed from it: a structure of
      * the mesh, the elements that are asked for. `task` has the input and the numbers, of which
      * all four are then given. What is written here the judge reads by task->beside, and the runner
