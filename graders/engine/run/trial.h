@@ -54,7 +54,7 @@ struct trial {
     double memory_ratio, access_ratio;
     int memory_family, memory_size; /* indices of where that was */
     int access_family;
-    uint32_t active_layers;         /* of the box in which the cases ran */
+    uint32_t active_layers; /* of the box in which the cases ran */
     struct box_reason layer_reasons[BOX_LAYER_COUNT];
     char output[ATTEMPT_OUTPUT];
 };
