@@ -46,11 +46,10 @@ struct parser {
     enum event events[EVENTS_MAX];
     int event_count, position_count;
     bool has_part, has_summary;
-    bool is_call;       /* the next cost line is what a call took */
-    int64_t callee;     /* the function that it calls */
-    const char *caller; /* the calls that are added up, NULL: none */
-    const char *const *callees;
-    struct function *functions; /* by number */
+    bool is_call;                        /* the next cost line is what a call took */
+    int64_t callee;                      /* the function that it calls */
+    const struct callgrind_calls *calls; /* that are looked for */
+    struct function *functions;          /* by number */
     int64_t function_capacity, current;
     struct callgrind_dump *dump;
     struct error *err;
@@ -250,15 +249,37 @@ static bool is_name(struct slice slice, const char *name)
            memcmp(slice.at, name, length) == 0;
 }
 
+/* Whether the function that was just called is in a list. */
+static bool calls_one_of(const struct parser *parser, const char *const *names)
+{
+    for (; names && *names; names++)
+        if (is_name(parser->functions[parser->callee].name, *names))
+            return true;
+    return false;
+}
+
 /* Whether the call that was just read is one of those that are added up. */
 static bool is_wanted_call(const struct parser *parser)
 {
-    if (!parser->caller || !is_name(parser->functions[parser->current].name, parser->caller))
-        return false;
-    for (const char *const *callee = parser->callees; *callee; callee++)
-        if (is_name(parser->functions[parser->callee].name, *callee))
-            return true;
-    return false;
+    const struct callgrind_calls *calls = parser->calls;
+    return calls->caller && is_name(parser->functions[parser->current].name, calls->caller) &&
+           calls_one_of(parser, calls->callees);
+}
+
+/* `calls=2 17`: so many calls of the function that was named before, at line 17. */
+static int read_calls(struct parser *parser, struct slice line)
+{
+    int64_t count;
+    parser->is_call = true;
+    if (parser->callee < 0)
+        return fail(parser, "a call of no function");
+    if (!calls_one_of(parser, parser->calls->accessors))
+        return 0;
+    if (!next_count(&line, &count))
+        return fail(parser, "not a count of calls, or above 10^15");
+    if (__builtin_add_overflow(parser->dump->access_count, count, &parser->dump->access_count))
+        return fail(parser, "counts that overflow");
+    return 0;
 }
 
 static int read_cost(struct parser *parser, struct slice line)
@@ -306,10 +327,8 @@ static int read_line(struct parser *parser, struct slice line)
         return read_function(parser, line, &parser->current);
     if (take(&line, "cfn="))
         return read_function(parser, line, &parser->callee);
-    if (take(&line, "calls=")) {
-        parser->is_call = true;
-        return parser->callee < 0 ? fail(parser, "a call of no function") : 0;
-    }
+    if (take(&line, "calls="))
+        return read_calls(parser, line);
     if (line.at < line.end && strchr("0123456789+-*", *line.at) && *line.at)
         return read_cost(parser, line);
     return 0; /* objects, files, jumps and headers that are of no use here */
@@ -335,9 +354,8 @@ static void find_hottest(struct parser *parser)
     }
 }
 
-int callgrind_parse_calls(const char *text, size_t bytes, const char *caller,
-                          const char *const *callees, struct callgrind_dump *dump,
-                          struct error *err)
+int callgrind_parse_calls(const char *text, size_t bytes, const struct callgrind_calls *calls,
+                          struct callgrind_dump *dump, struct error *err)
 {
     *dump = (struct callgrind_dump){0};
     if (!bytes)
@@ -346,8 +364,7 @@ int callgrind_parse_calls(const char *text, size_t bytes, const char *caller,
                             .position_count = 1,
                             .current = -1,
                             .callee = -1,
-                            .caller = caller,
-                            .callees = callees,
+                            .calls = calls,
                             .dump = dump,
                             .err = err};
     struct slice line;
@@ -364,7 +381,8 @@ int callgrind_parse_calls(const char *text, size_t bytes, const char *caller,
 
 int callgrind_parse(const char *text, size_t bytes, struct callgrind_dump *dump, struct error *err)
 {
-    return callgrind_parse_calls(text, bytes, NULL, NULL, dump, err);
+    static const struct callgrind_calls none = {0};
+    return callgrind_parse_calls(text, bytes, &none, dump, err);
 }
 
 int64_t callgrind_cost(const struct callgrind_counts *counts)

@@ -42,8 +42,9 @@ struct callgrind_dump {
     bool has_misses;  /* false: no cache simulation, and all but instructions are 0 */
     struct callgrind_counts counts; /* all that was collected */
     struct callgrind_counts
-        called;        /* of that, what certain calls took; see callgrind_parse_calls */
-    int hottest_count; /* functions with instructions of their own, most first */
+        called;           /* of that, what certain calls took; see callgrind_parse_calls */
+    int64_t access_count; /* calls of certain functions; likewise */
+    int hottest_count;    /* functions with instructions of their own, most first */
     struct callgrind_function hottest[CALLGRIND_HOTTEST];
 };
 
@@ -56,14 +57,18 @@ struct callgrind_dump {
 int callgrind_parse(const char *text, size_t bytes, struct callgrind_dump *dump,
                     struct error *err) MUST_CHECK;
 
-/* The same, and how much of the counts went into certain calls, with all that these call in turn.
- *
- * caller   name of the function that calls
- * callees  names of the functions that it calls, NULL-terminated; the sum over all of them and over
- *          all calls goes to dump->called */
-int callgrind_parse_calls(const char *text, size_t bytes, const char *caller,
-                          const char *const *callees, struct callgrind_dump *dump,
-                          struct error *err) MUST_CHECK;
+/* Calls that are looked for, by the names of functions; lists end with NULL. */
+struct callgrind_calls {
+    const char *caller;           /* NULL: none are added up */
+    const char *const *callees;   /* what its calls of these took, with all that they call in turn,
+                                     goes to dump->called */
+    const char *const *accessors; /* how often these are called, by whatever function, goes to
+                                     dump->access_count; NULL: none are counted */
+};
+
+/* The same, and what those calls come to. */
+int callgrind_parse_calls(const char *text, size_t bytes, const struct callgrind_calls *calls,
+                          struct callgrind_dump *dump, struct error *err) MUST_CHECK;
 
 /* Counted cost: instructions + 10 first-level + 100 last-level misses, a stand-in for time that
  * repeats exactly. Against time it is within a factor of 2 or so between honest algorithms, so it

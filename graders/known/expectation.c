@@ -150,12 +150,12 @@ bool expectation_needs_only_cases(const struct expectation *expected)
     return strcmp(expected->verdict, verdict_name(VERDICT_WRONG_ANSWER)) == 0;
 }
 
-/* Bands lie on the same inputs: what is too poor for one is so for every stricter one. */
+/* What is wrong cannot be good, and what is too poor for one band is so for every stricter one. */
 static bool is_stricter(const struct quality_rule *rule, const char *class_name, const char *than)
 {
     const struct quality_band *band = quality_band_of(rule, class_name);
     const struct quality_band *other = quality_band_of(rule, than);
-    return band && other && quality_is_worse(rule, other->limit, band->limit);
+    return band && (!other || quality_is_worse(rule, other->limit, band->limit));
 }
 
 bool expectation_fails_just(const char *failed, const char *class_name,

@@ -37,8 +37,8 @@ bool expectation_is_met(const struct expectation *expected, const json_t *result
 /* Whether cases alone decide it: a wrong answer that fails no check. */
 bool expectation_needs_only_cases(const struct expectation *expected);
 
-/* Whether of a list of failed classes ("open,closed") just this one failed, and bands of quality
- * that are stricter than its own. */
+/* Whether of a list of failed classes ("open,closed") just this one failed, and bands of quality:
+ * stricter ones when it is a band, any when it is a class of right answers. */
 bool expectation_fails_just(const char *failed, const char *class_name,
                             const struct quality_rule *rule);
 

@@ -2,6 +2,7 @@
 #include "graders/library/answer.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
 enum { SPARE_ROWS = 16, WORD = 8 };
@@ -15,6 +16,7 @@ static const struct cause bad_offsets = {"offsets-wrong",
                                          {"wrong offsets", "desplazamientos incorrectos"}};
 static const struct cause out_of_range = {"index-out-of-range",
                                           {"index out of range", "índice fuera de rango"}};
+static const struct cause not_finite = {"not-finite", {"not a number", "no es un número"}};
 static const struct cause unknown_status = {"unknown-status",
                                             {"unknown status", "estado desconocido"}};
 static const struct cause wrongly_refused = {"wrongly-refused",
@@ -320,6 +322,30 @@ static bool check_indices(const struct answer_rule *rule, const struct answer_pa
     return true;
 }
 
+/* -------------------------------------------------------------------------------------- reals */
+
+/* No right answer holds a NaN or an infinity. */
+static bool check_reals(const struct answer_part *part, const struct answer_table *table,
+                        struct judgement *out)
+{
+    bool is_float = part->type == TYPE_FLOAT;
+    for (int64_t row = 0; (is_float || part->type == TYPE_DOUBLE) && row < table->count; row++)
+        for (int c = 0; c < table->columns; c++) {
+            double value = is_float ? answer_float(table, row, c) : answer_double(table, row, c);
+            if (isfinite(value))
+                continue;
+            int64_t named = table->first ? row_of_value(table, row) : row;
+            judge_name_one(out, part->row, "%" PRId64, named);
+            judge_reject_for(out, &not_finite);
+            judge_en(out, "%s %" PRId64 ": %s holds %g, which is no number.", part->row.en, named,
+                     part->argument, value);
+            judge_es(out, "%s %" PRId64 ": %s contiene %g, que no es un número.", part->row.es,
+                     named, part->argument, value);
+            return false;
+        }
+    return true;
+}
+
 /* ------------------------------------------------------------------------------------- whole */
 
 bool answer_read(const struct answer_rule *rule, struct input_sizes sizes, struct span bytes,
@@ -333,7 +359,8 @@ bool answer_read(const struct answer_rule *rule, struct input_sizes sizes, struc
         if (!read_part(rule, &rule->parts[i], sizes, &reader, answer, &answer->table[i], out))
             return false;
     for (int i = 0; i < ANSWER_PARTS && rule->parts[i].argument && !answer->refusal; i++)
-        if (!check_indices(rule, &rule->parts[i], &answer->table[i], sizes, answer, out))
+        if (!check_indices(rule, &rule->parts[i], &answer->table[i], sizes, answer, out) ||
+            !check_reals(&rule->parts[i], &answer->table[i], out))
             return false;
     return true;
 }

@@ -70,6 +70,32 @@ struct answer_part {
     struct room most; /* ROWS_FIXED: rows; ROWS_OF_ROWS: values of a right answer at most */
 };
 
+/* An attribute that the function writes into an array of the caller's: normals, colours, labels.
+ * Reals that are not finite are refused before the judge sees them, here as in every part.
+ *
+ *     .parts = {ANSWER_PER_CORNER("normals", TYPE_FLOAT, 3)} */
+#define ANSWER_PER_VERTEX(array, type_, columns_)                                                  \
+    {                                                                                              \
+        .argument = (array), .row = {"vertex", "vértice"}, .type = (type_), .columns = (columns_), \
+        .rows = ROWS_FIXED, .most = {                                                              \
+            .per_vertex = 1                                                                        \
+        }                                                                                          \
+    }
+#define ANSWER_PER_CORNER(array, type_, columns_)                                                  \
+    {                                                                                              \
+        .argument = (array), .row = {"corner", "esquina"}, .type = (type_), .columns = (columns_), \
+        .rows = ROWS_FIXED, .most = {                                                              \
+            .per_corner = 1                                                                        \
+        }                                                                                          \
+    }
+#define ANSWER_PER_FACE(array, type_, columns_)                                                    \
+    {                                                                                              \
+        .argument = (array), .row = {"face", "cara"}, .type = (type_), .columns = (columns_),      \
+        .rows = ROWS_FIXED, .most = {                                                              \
+            .per_face = 1                                                                          \
+        }                                                                                          \
+    }
+
 /* A refusal that the exercise knows, besides OUT_OF_MEMORY. */
 struct answer_code {
     int value;        /* -2; 0 ends the list */
@@ -113,10 +139,20 @@ size_t answer_bound(const struct answer_rule *rule, struct input_sizes sizes);
 bool answer_read(const struct answer_rule *rule, struct input_sizes sizes, struct span bytes,
                  struct answer *answer, struct judgement *out);
 
-/* Shorthands for tables of int32 and of reals: the value in a row and column, which must exist. */
+/* Shorthands for tables of int32 and of floats and doubles: the value in a row and column, which must exist. */
 static inline int32_t answer_int(const struct answer_table *table, int64_t row, int column)
 {
     return ((const int32_t *)table->cells)[row * table->columns + column];
+}
+
+static inline double answer_float(const struct answer_table *table, int64_t row, int column)
+{
+    return (double)((const float *)table->cells)[row * table->columns + column];
+}
+
+static inline double answer_double(const struct answer_table *table, int64_t row, int column)
+{
+    return ((const double *)table->cells)[row * table->columns + column];
 }
 
 /* Answers a question that many contracts have: is the input one that must be refused?

@@ -74,12 +74,86 @@ static int write_input(const struct judge *judge, const struct judge_case *c, co
     return mesh_file_write(judge, c, models, input, err);
 }
 
+/* Whether more follows behind the numbers: attributes, and what the judge writes beside. */
+static bool has_more(const struct judge *judge)
+{
+    return judge->write_beside || judge->attributes[0].of != PER_NOTHING;
+}
+
+/* A runner reads as many numbers as there are, and four when more follows. */
+static int number_count(const struct judge *judge)
+{
+    return has_more(judge) ? 4 : judge->numbers;
+}
+
 static int write_numbers(const struct judge *judge, const int64_t number[4], struct writer *input,
                          struct error *err)
 {
-    for (int i = 0; i < judge->numbers; i++)
+    for (int i = 0; i < number_count(judge); i++)
         write_int(input, number[i]);
     return input->failed ? error_set(err, "out of memory for an input") : 0;
+}
+
+/* Reads what judge_make and judge_make_sized write. */
+static struct task read_input(const struct judge *judge, struct span input)
+{
+    struct task task = {.judge = judge, .input = input};
+    struct reader reader = reader_of(input.bytes, input.count);
+    switch (judge->input) {
+    case INPUT_OWN:
+    case INPUT_QUESTION:
+        return task;
+    case INPUT_POLYGONS:
+        task.polygons = polygon_view_read(&reader);
+        task.sizes = (struct input_sizes){task.polygons.vertex_count, task.polygons.face_count,
+                                          polygon_view_corner_count(&task.polygons)};
+        break;
+    case INPUT_SOUP:
+        task.soup = soup_input_read(&reader);
+        task.sizes =
+            (struct input_sizes){3 * (int64_t)task.soup.triangle_count, task.soup.triangle_count,
+                                 3 * (int64_t)task.soup.triangle_count};
+        break;
+    case INPUT_LINE:
+        task.line = line_read(&reader);
+        task.sizes = (struct input_sizes){task.line.point_count, 0, task.line.point_count};
+        break;
+    case INPUT_FIELD:
+        task.field = field_read(&reader);
+        task.sizes = (struct input_sizes){task.field.sample_count, 0, 0};
+        break;
+    case INPUT_MESH:
+    case INPUT_TOPOLOGY:
+        task.mesh = mesh_input_read(&reader);
+        task.sizes = (struct input_sizes){task.mesh.vertex_count, task.mesh.triangle_count,
+                                          3 * (int64_t)task.mesh.triangle_count};
+        break;
+    }
+    for (int i = 0; i < number_count(judge); i++)
+        task.number[i] = read_int(&reader);
+    if (has_more(judge) && reader.at < reader.count)
+        attributes_read(&reader, task.attribute);
+    task.beside = reader;
+    return task;
+}
+
+/* Writes what is given behind the input and the numbers that `input` holds so far. */
+static int write_more(const struct judge *judge, uint64_t seed, struct writer *input,
+                      struct error *err)
+{
+    if (!has_more(judge))
+        return 0;
+    struct writer more = writer_growing(); /* `input` may move when it grows */
+    struct task task = read_input(judge, (struct span){input->bytes, input->count});
+    int failed = attributes_write(judge->attributes, task.sizes, seed, &more, err);
+    if (!failed && judge->write_beside)
+        failed = judge->write_beside(&task, seed, &more, err);
+    if (!failed)
+        write_array(input, more.bytes, (int64_t)more.count, 1);
+    if (!failed && (more.failed || input->failed))
+        failed = error_set(err, "out of memory for an input");
+    writer_release(&more);
+    return failed;
 }
 
 int judge_make(const struct judge *judge, const struct judge_case *c, const char *models,
@@ -87,7 +161,9 @@ int judge_make(const struct judge *judge, const struct judge_case *c, const char
 {
     if (write_input(judge, c, models, input, err) != 0)
         return -1;
-    return write_numbers(judge, c->number, input, err);
+    if (write_numbers(judge, c->number, input, err) != 0)
+        return -1;
+    return write_more(judge, c->seed, input, err);
 }
 
 /* A size of a family that is made of triangles or polygons. */
@@ -126,47 +202,9 @@ int judge_make_sized(const struct judge *judge, int family, int64_t size, uint64
         return judge->make_sized(family, size, seed, input, err);
     if (write_sized(judge, shape, size, seed, input, err) != 0)
         return -1;
-    return write_numbers(judge, shape->has_number ? shape->number : none, input, err);
-}
-
-/* Reads what the two above wrote. */
-static struct task read_input(const struct judge *judge, struct span input)
-{
-    struct task task = {.judge = judge, .input = input};
-    struct reader reader = reader_of(input.bytes, input.count);
-    switch (judge->input) {
-    case INPUT_OWN:
-    case INPUT_QUESTION:
-        return task;
-    case INPUT_POLYGONS:
-        task.polygons = polygon_view_read(&reader);
-        task.sizes = (struct input_sizes){task.polygons.vertex_count, task.polygons.face_count,
-                                          polygon_view_corner_count(&task.polygons)};
-        break;
-    case INPUT_SOUP:
-        task.soup = soup_input_read(&reader);
-        task.sizes =
-            (struct input_sizes){3 * (int64_t)task.soup.triangle_count, task.soup.triangle_count,
-                                 3 * (int64_t)task.soup.triangle_count};
-        break;
-    case INPUT_LINE:
-        task.line = line_read(&reader);
-        task.sizes = (struct input_sizes){task.line.point_count, 0, task.line.point_count};
-        break;
-    case INPUT_FIELD:
-        task.field = field_read(&reader);
-        task.sizes = (struct input_sizes){task.field.sample_count, 0, 0};
-        break;
-    case INPUT_MESH:
-    case INPUT_TOPOLOGY:
-        task.mesh = mesh_input_read(&reader);
-        task.sizes = (struct input_sizes){task.mesh.vertex_count, task.mesh.triangle_count,
-                                          3 * (int64_t)task.mesh.triangle_count};
-        break;
-    }
-    for (int i = 0; i < judge->numbers; i++)
-        task.number[i] = read_int(&reader);
-    return task;
+    if (write_numbers(judge, shape->has_number ? shape->number : none, input, err) != 0)
+        return -1;
+    return write_more(judge, seed, input, err);
 }
 
 size_t judge_answer_bound(const struct judge *judge, struct span input)

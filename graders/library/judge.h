@@ -16,6 +16,7 @@
 #define GRADERS_LIBRARY_JUDGE_H
 
 #include "graders/library/answer.h"
+#include "graders/library/attributes.h"
 #include "graders/library/families.h"
 #include "graders/library/fields.h"
 #include "graders/library/judgement.h"
@@ -59,7 +60,9 @@ struct usage {
     int64_t heap_held_bytes; /* bytes that the call allocated and had not freed when it returned */
     int64_t heap_left_bytes; /* of these, not freed after all that was returned was freed: leaked */
     int64_t allocation_count;
-    bool known; /* false: not measured in this run, judge without it */
+    bool known;           /* false: not measured in this run, judge without it */
+    int64_t access_count; /* calls of the functions that the exercise gives; counted in every run,
+                             but only a claim: judges look whether it can be true (accesses.h) */
 };
 
 /* What an exercise's function gets. */
@@ -88,7 +91,9 @@ struct task {
     struct line_view line;        /* INPUT_LINE */
     struct field_view field;      /* INPUT_FIELD */
     int64_t number[4];            /* what the case gives beside the mesh */
-    struct answer answer;         /* when the judge declares one: read and bounded */
+    struct attribute_view attribute[ATTRIBUTES_MOST];
+    struct reader beside; /* what write_beside wrote; a copy of it reads */
+    struct answer answer; /* when the judge declares one: read and bounded */
 };
 
 struct judge {
@@ -97,7 +102,8 @@ struct judge {
     size_t case_count;
 
     enum judge_input input;
-    int numbers;                        /* how many of a case's numbers are given with the input */
+    int numbers; /* how many of a case's numbers are given with the input */
+    struct attribute_rule attributes[ATTRIBUTES_MOST]; /* given with the mesh: attributes.h */
     const struct size_family *families; /* ended by a name NULL; NULL: no growth is counted */
     const struct answer_rule *answer;   /* NULL: judge() reads task->said itself */
 
@@ -124,6 +130,13 @@ struct judge {
 
     /* The size near `size`, which may be any number, that make_sized can make. NULL: all of them. */
     int64_t (*size_near)(int family, int64_t size);
+
+    /* What is given beside an input that is declared, and must be computed from it: a structure of
+     * the mesh, the elements that are asked for. `task` has the input and the numbers, of which
+     * all four are then given. What is written here the judge reads by task->beside, and the runner
+     * after what it was given. NULL: nothing. */
+    int (*write_beside)(const struct task *task, uint64_t seed, struct writer *beside,
+                        struct error *err);
 
     /* Without `answer`: bytes that an answer to `input` can take at most, wrong ones included. */
     size_t (*bound)(struct span input);

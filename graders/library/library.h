@@ -30,6 +30,10 @@
  *   mesh_input.h  a soup (INPUT_SOUP): the triangles of a recipe, nine floats each
  *   cases.h     standard cases, class by class: CASES_OPEN(11), ...
  *   families.h  inputs of any exact size, on which growth, work and memory are measured
+ *   attributes.h  numbers for each vertex, corner or face, given with the mesh
+ *                   .attributes = {{PER_CORNER, 2, ATTRIBUTE_RANDOM}}
+ *   judge.h     .write_beside: what is computed from the input and given with it: a structure of the
+ *               mesh, a list of the elements that are asked for
  *   .number     up to four integers that are given beside (struct judge's `numbers` says how many):
  *               an element that is asked for, a tolerance, a count
  *
@@ -38,7 +42,8 @@
  *
  *   answer.h    declared once; read, bounded and looked through before judge() is called. Tables of
  *               k numbers, several of them, rows of unequal length, arrays of the caller's, a
- * count, a status, a real; NULL, negative or huge counts, offsets and indices out of range are
+ *               attribute for each vertex, corner or face (ANSWER_PER_CORNER), a count, a status, a
+ *               real; NULL, negative or huge counts, offsets and indices out of range are
  *               named there, for all exercises in the same words
  *   questions.h exercises that ask several formulas, numbers and builders; formula.h judges these
  *   a judge that declares no answer reads task->said by a struct reader (wire/packet.h)
@@ -53,6 +58,7 @@
  *   topology.h  edges, fans, loops, components, Euler number of an input or of an answer
  *   structure.h winged edges and half edges against their faces: which entry is wrong
  *   winged_judge.h  the same judged, said and shown, with the wings
+ *   neighbours.h  queries for what touches a face, a vertex, an edge: which number is wrong
  *   refusal.h   faces that such structures cannot hold: which refusal is right, and why
  *   surface.h   meshes up to the numbers of vertices, told by a table or by position
  *   tolerance.h reals by absolute, relative, ulp and angular tolerance; usual mistakes recognised
@@ -75,6 +81,8 @@
  *
  *     judge_quality(out, indices / triangles);    a right answer's number; classes may set bands for
  *                                                 it, which the library judges (quality.h)
+ *     accesses_reject(task->usage, least, out)    counted calls of functions that the exercise gives:
+ *                                                 can the count be true? (accesses.h)
  *
  *   The first sentence is of this case, what follows is the hint. Words stand where the thing is
  *   declared; no list elsewhere is edited.
@@ -92,6 +100,7 @@
 #ifndef GRADERS_LIBRARY_LIBRARY_H
 #define GRADERS_LIBRARY_LIBRARY_H
 
+#include "graders/library/accesses.h"
 #include "graders/library/cases.h"
 #include "graders/library/cycles.h"
 #include "graders/library/distance.h"
@@ -99,6 +108,7 @@
 #include "graders/library/judge.h"
 #include "graders/library/lattice.h"
 #include "graders/library/mesh_area.h"
+#include "graders/library/neighbours.h"
 #include "graders/library/partition.h"
 #include "graders/library/questions.h"
 #include "graders/library/refusal.h"

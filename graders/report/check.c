@@ -98,6 +98,17 @@ static const struct field work_fields[] = {{"ratio", NUMBER, REQUIRED, NULL},
                                            {"miss_ratio", NUMBER, OPTIONAL, NULL},
                                            {0}};
 
+static const struct field access_family_fields[] = {{"name", NAME, REQUIRED, NULL},
+                                                    {"sizes", NUMBERS, REQUIRED, NULL},
+                                                    {"accesses", NUMBERS, REQUIRED, NULL},
+                                                    {"reference_accesses", NUMBERS, REQUIRED, NULL},
+                                                    {0}};
+
+static const struct field access_fields[] = {{"ratio", NUMBER, REQUIRED, NULL},
+                                             {"band", NUMBER, REQUIRED, NULL},
+                                             {"families", RECORDS, REQUIRED, access_family_fields},
+                                             {0}};
+
 static const struct field memory_family_fields[] = {
     {"name", NAME, REQUIRED, NULL},
     {"sizes", NUMBERS, REQUIRED, NULL},
@@ -126,11 +137,10 @@ static const struct field quality_fields[] = {
     {"less_is_better", TRUTH, REQUIRED, NULL}, {"worst", NUMBER, REQUIRED, NULL},
     {"bands", RECORDS, REQUIRED, band_fields}, {0}};
 
-static const struct field measures_fields[] = {{"growth", RECORD, OPTIONAL, growth_fields},
-                                               {"work", RECORD, OPTIONAL, work_fields},
-                                               {"memory", RECORD, OPTIONAL, memory_fields},
-                                               {"quality", RECORD, OPTIONAL, quality_fields},
-                                               {0}};
+static const struct field measures_fields[] = {
+    {"growth", RECORD, OPTIONAL, growth_fields},   {"work", RECORD, OPTIONAL, work_fields},
+    {"accesses", RECORD, OPTIONAL, access_fields}, {"memory", RECORD, OPTIONAL, memory_fields},
+    {"quality", RECORD, OPTIONAL, quality_fields}, {0}};
 
 static const struct field build_fields[] = {{"ok", TRUTH, REQUIRED, NULL},
                                             {"cause", STRING, REQUIRED, NULL},
@@ -460,6 +470,7 @@ static int check_families(const json_t *measure, const char *const *keys, const 
 int result_check(const json_t *result, struct error *err)
 {
     static const char *const growth_keys[] = {"instructions", "reference_instructions", NULL};
+    static const char *const access_keys[] = {"accesses", "reference_accesses", NULL};
     static const char *const memory_keys[] = {"peak_bytes", "reference_peak_bytes", NULL};
     const char *schema = json_string_value(json_object_get(result, "schema"));
     if (schema && strcmp(schema, "meshgrade-result-1") != 0)
@@ -471,6 +482,8 @@ int result_check(const json_t *result, struct error *err)
         check_points_of(result, "checks", err) != 0 || check_cases(result, err) != 0 ||
         check_families(json_object_get(measures, "growth"), growth_keys, "measures.growth", err) !=
             0 ||
+        check_families(json_object_get(measures, "accesses"), access_keys, "measures.accesses",
+                       err) != 0 ||
         check_families(json_object_get(measures, "memory"), memory_keys, "measures.memory", err) !=
             0)
         return -1;

@@ -284,13 +284,79 @@ static void write_work(struct html *page, const json_t *work)
     html_close(page, "p");
 }
 
+/* What submission and reference accessed at the sizes of a family. */
+static void write_access_table(struct html *page, const json_t *family, struct phrase elements)
+{
+    const struct phrase heads[] = {
+        elements, {"accesses", "accesos"}, {"reference", "referencia"}, {"ratio", "cociente"}};
+    html_open(page, "table");
+    html_open(page, "thead");
+    html_open(page, "tr");
+    for (size_t i = 0; i < sizeof heads / sizeof heads[0]; i++) {
+        html_open(page, "th");
+        html_attribute(page, "scope", "col");
+        html_both(page, heads[i]);
+        html_close(page, "th");
+    }
+    html_close(page, "tr");
+    html_close(page, "thead");
+    html_open(page, "tbody");
+    size_t count = json_array_size(json_object_get(family, "sizes"));
+    for (size_t i = 0; i < count; i++) {
+        double own = number_at(family, "accesses", i);
+        double reference = number_at(family, "reference_accesses", i);
+        html_open(page, "tr");
+        html_open(page, "th");
+        html_attribute(page, "scope", "row");
+        html_format(page, "%.0f", number_at(family, "sizes", i));
+        html_close(page, "th");
+        write_number_cell(page, "", own);
+        write_number_cell(page, "", reference);
+        write_ratio_cell(page, own, reference);
+        html_close(page, "tr");
+    }
+    html_close(page, "tbody");
+    html_close(page, "table");
+}
+
+static void write_accesses(struct html *page, const json_t *result, const json_t *accesses)
+{
+    size_t i;
+    json_t *family;
+    html_open(page, "div");
+    html_attribute(page, "class", "measure");
+    html_both_leaf(page, "h3", NULL,
+                   (struct phrase){"Accesses to the structure", "Accesos a la estructura"});
+    html_open(page, "p");
+    html_attribute(page, "class", "accesses");
+    html_both(page, (struct phrase){"At the largest size: ", "En el tamaño mayor: "});
+    html_format(page, "%.2f ", result_number(accesses, "ratio"));
+    html_both(page, (struct phrase){"times the reference; allowed: ",
+                                    "veces la referencia; se permiten: "});
+    html_format(page, "%.6g", result_number(accesses, "band"));
+    html_close(page, "p");
+    json_array_foreach(json_object_get(accesses, "families"), i, family)
+    {
+        html_open(page, "details");
+        if (i == 0)
+            html_flag(page, "open");
+        html_open(page, "summary");
+        html_leaf(page, "code", NULL, result_text(family, "name"));
+        html_close(page, "summary");
+        write_access_table(page, family, chart_elements(result));
+        html_close(page, "details");
+    }
+    html_close(page, "div");
+}
+
 void page_measures(struct html *page, const json_t *result)
 {
     const json_t *measures = json_object_get(result, "measures");
     bool has_growth = chart_growth_family(result) != NULL;
     const json_t *memory = json_object_get(measures, "memory");
     const json_t *work = json_object_get(measures, "work");
-    if (!has_growth && !memory && !work)
+    const json_t *accesses = json_object_get(measures, "accesses");
+    if (!has_growth && !memory && !work && !accesses)
         return;
     html_open(page, "details");
     html_attribute(page, "class", "measures");
@@ -300,6 +366,8 @@ void page_measures(struct html *page, const json_t *result)
         write_growth(page, result);
     if (work)
         write_work(page, work);
+    if (accesses)
+        write_accesses(page, result, accesses);
     if (memory)
         write_memory(page, result);
     html_close(page, "details");

@@ -29,4 +29,11 @@ void measure_begin(void);
 /* ... to here. Exactly one pair in a call of run_call. */
 void measure_end(void);
 
+/* An exercise may give the student functions to ask for what they need, element by element. Its
+ * header declares them, exercise.json lists them as "given", and the file of run_call defines them,
+ * the only functions in it beside run_call that are not static: these are what a submission can
+ * call. Each begins with this, which counts the call. What they read is kept in static variables of
+ * that file, which run_call sets before measure_begin(). */
+void count_access(void);
+
 #endif

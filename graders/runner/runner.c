@@ -48,6 +48,7 @@ static const unsigned char *input_region;
 static unsigned char *answer_region;
 static uintptr_t stack_top;
 static bool said_out_of_memory;
+static int64_t access_count;
 static char output_buffer[1 << 16];
 static unsigned char handler_stack[1 << 16];
 
@@ -129,6 +130,7 @@ void measure_begin(void)
     control->phase = PHASE_CALL;
     if (fixed.mode & MODE_PAINT_STACK)
         paint_stack();
+    access_count = 0;
     shim_begin(fixed.heap_limit_bytes, control->failing_allocation);
 }
 
@@ -139,7 +141,13 @@ void measure_end(void)
     if (fixed.mode & MODE_PAINT_STACK)
         control->stack_bytes = painted_over_bytes();
     control->heap_held_bytes = shim_counts.live_bytes;
+    control->access_count = access_count;
     control->phase = PHASE_ANSWER;
+}
+
+void count_access(void)
+{
+    access_count++;
 }
 
 /* callgrind dumps when this is entered, by its name (series.c). Not by a request: the code of one
@@ -190,6 +198,7 @@ static void forget_last_call(void)
     said_out_of_memory = false;
     control->out_of_memory = 0;
     control->stack_bytes = 0;
+    control->access_count = 0;
     control->refused_count = 0;
     control->tool_errors = 0;
     control->fault = FAULT_NONE;

@@ -1,7 +1,8 @@
 # The runner: what runs in the box beside the student's object, build/runner/<group>/<name>.<flavour>.o.
 #
-# One relocatable object an exercise, with every name local but main and the allocation shim, so that
-# a submission can neither call into it nor replace parts of it. Always optimised: it is the same in
+# One relocatable object an exercise, with every name local but main, the allocation shim, and what the
+# exercise gives to students (the functions of its own file but run_call), so that a submission can
+# call nothing else in it and replace no part of it. Always optimised: it is the same in
 # every configuration. Three flavours: plain has the allocation shim; sanitized and checked leave
 # allocation to the sanitizers and to valgrind's memcheck.
 
@@ -28,8 +29,9 @@ build/runner/checked/%.o: %.c
 	@mkdir -p $(@D)
 	$(call SHOW,CC  $< (checked))$(RUNNER_COMPILE)
 
+RUNNER_GIVES = nm -g --defined-only $< | awk '$$3 != "run_call" {print "--keep-global-symbol=" $$3}'
 RUNNER_LINK = @mkdir -p $(@D) && ld -r $^ -o $@.tmp && \
-  objcopy $(RUNNER_NAMES:%=--keep-global-symbol=%) $@.tmp $@ && rm $@.tmp
+  objcopy $(RUNNER_NAMES:%=--keep-global-symbol=%) $$($(RUNNER_GIVES)) $@.tmp $@ && rm $@.tmp
 build/runner/%.plain.o: build/runner/plain/graders/runner/%.o $(RUNNER_PARTS:%=build/runner/plain/%.o)
 	$(RUNNER_LINK)
 build/runner/%.sanitized.o: build/runner/sanitized/graders/runner/%.o $(RUNNER_PARTS:%=build/runner/sanitized/%.o)

@@ -42,11 +42,22 @@ static const void *given_table(struct reader *input, int64_t count, size_t row_b
 #endif
 }
 
+/* The attributes that follow when more than numbers does. */
+static void read_attributes(struct reader *input, struct given *given)
+{
+    int64_t count = input->at < input->count ? read_int(input) : 0;
+    for (int64_t i = 0; i < count && i < SHAPES_ATTRIBUTES; i++) {
+        int64_t rows = read_int(input), columns = read_int(input);
+        given->attribute[i] = given_table(input, rows, sizeof(float) * (size_t)columns);
+    }
+}
+
 /* What a judge writes behind a mesh: the numbers of the case, as far as there are any. */
 static void read_numbers(struct reader *input, struct given *given)
 {
     for (int i = 0; i < SHAPES_NUMBERS && input->at < input->count; i++)
         given->number[i] = read_int(input);
+    read_attributes(input, given);
 }
 
 struct given given_triangles(struct reader *input)

@@ -16,14 +16,14 @@
  *     LINE        points, point_count, is_closed
  *
  * and more arguments may follow in parentheses' stead: `MESH, NUMBER(0)`, written GIVEN(MESH,
- * NUMBER(0)). What has none of these shapes is written by hand: see call.h and the functions here.
+ * NUMBER(0)); of what a judge's `attributes` declare, GIVEN(MESH, ATTRIBUTE(0)). What has none of these shapes is written by hand: see call.h and the functions here.
  */
 #ifndef GRADERS_RUNNER_SHAPES_H
 #define GRADERS_RUNNER_SHAPES_H
 
 #include "graders/runner/call.h"
 
-enum { SHAPES_NUMBERS = 4 };
+enum { SHAPES_NUMBERS = 4, SHAPES_ATTRIBUTES = 2 };
 
 /* What a packet gives; what the exercise's input does not have stays zero. */
 struct given {
@@ -35,9 +35,11 @@ struct given {
     const float *points; /* of a line, of a field its samples, of a soup its corners */
     int32_t point_count, is_closed, rows, columns, layers;
     int64_t number[SHAPES_NUMBERS];
+    const float *attribute[SHAPES_ATTRIBUTES]; /* in the order in which the judge declares them */
 };
 
-/* Read what the judge's inputs write: INPUT_MESH and INPUT_TOPOLOGY, INPUT_POLYGONS, and so on. */
+/* Read what the judge's inputs write: INPUT_MESH and INPUT_TOPOLOGY, INPUT_POLYGONS, and so on. What
+ * the judge writes beside (judge.h, write_beside) is next in the packet. */
 struct given given_triangles(struct reader *input);
 struct given given_polygons(struct reader *input);
 struct given given_soup(struct reader *input);  /* points, face_count */
@@ -67,6 +69,7 @@ void answer_given(struct writer *answer, int64_t count, void *array, size_t row_
 #define LINE given_line, given.points, given.point_count, given.is_closed
 #define GIVEN(...) __VA_ARGS__
 #define NUMBER(i) given.number[i]
+#define ATTRIBUTE(i) given.attribute[i]
 
 /* The first of what is given reads the packet, the others are arguments. */
 #define SHAPES_READER(reader, ...) reader

@@ -130,7 +130,8 @@ static void take_answer(const struct regions *regions, struct submission_answer 
                                    .heap_held_bytes = control->heap_held_bytes,
                                    .heap_left_bytes = control->heap_left_bytes,
                                    .allocation_count = control->allocation_count,
-                                   .known = true};
+                                   .known = true,
+                                   .access_count = control->access_count};
     answer->bad_free_count = control->bad_free_count;
     answer->count = control->answer_bytes < control->answer_capacity ? control->answer_bytes
                                                                      : control->answer_capacity;

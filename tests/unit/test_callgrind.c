@@ -72,21 +72,39 @@ static void the_calls_that_are_asked_for_are_added_up(void **state)
     (void)state;
     static const char *const functions[] = {"edge_table_any", "not_there", NULL};
     static const char *const others[] = {"calloc", NULL};
+    static const struct callgrind_calls of_main = {"main", functions, NULL};
+    static const struct callgrind_calls of_answer = {"edge_table_any", others, NULL};
     char *text = joined(header, body,
                         "fn=(222)\n30 1\ncfn=(230)\ncalls=2 3\n+1 100 1 1\n"
                         "cfn=(232)\ncalls=1 3\n+1 5000\n");
     struct callgrind_dump dump;
-    assert_int_equal(callgrind_parse_calls(text, strlen(text), "main", functions, &dump, NULL), 0);
+    assert_int_equal(callgrind_parse_calls(text, strlen(text), &of_main, &dump, NULL), 0);
     assert_int_equal(dump.called.instructions, 23408 + 100);
     assert_int_equal(dump.called.data_reads, 2103 + 1);
     assert_int_equal(dump.called.data_writes, 3562 + 1);
     assert_int_equal(dump.called.l1_misses, 31 + 0 + 190);
     assert_int_equal(dump.called.ll_misses, 31 + 0 + 190);
-    assert_int_equal(
-        callgrind_parse_calls(text, strlen(text), "edge_table_any", others, &dump, NULL), 0);
+    assert_int_equal(dump.access_count, 0);
+    assert_int_equal(callgrind_parse_calls(text, strlen(text), &of_answer, &dump, NULL), 0);
     assert_int_equal(dump.called.instructions, 1072);
     assert_int_equal(callgrind_parse(text, strlen(text), &dump, NULL), 0);
     assert_int_equal(dump.called.instructions, 0);
+    free(text);
+}
+
+static void calls_of_accessors_are_counted_whoever_makes_them(void **state)
+{
+    (void)state;
+    static const char *const accessors[] = {"calloc", "not_there", NULL};
+    static const struct callgrind_calls calls = {NULL, NULL, accessors};
+    char *text = joined(header, body, "fn=(222)\n30 1\ncfn=(232)\ncalls=41 3\n+1 5000\n");
+    struct callgrind_dump dump;
+    assert_int_equal(callgrind_parse_calls(text, strlen(text), &calls, &dump, NULL), 0);
+    assert_int_equal(dump.access_count, 1 + 41);
+    assert_int_equal(dump.called.instructions, 0);
+    free(text);
+    text = joined(header, body, "fn=(222)\n30 1\ncfn=(232)\ncalls=-4 3\n+1 5000\n");
+    assert_int_equal(callgrind_parse_calls(text, strlen(text), &calls, &dump, NULL), -1);
     free(text);
 }
 
@@ -204,6 +222,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_real_dump_is_read),
         cmocka_unit_test(the_calls_that_are_asked_for_are_added_up),
+        cmocka_unit_test(calls_of_accessors_are_counted_whoever_makes_them),
         cmocka_unit_test(only_the_hottest_are_kept),
         cmocka_unit_test(short_summaries_and_plain_counts_are_read),
         cmocka_unit_test(names_are_made_printable_and_cut),

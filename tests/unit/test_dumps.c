@@ -64,7 +64,8 @@ static void put_dump(const struct scene *scene, const char *name, int part, cons
 
 static int take(struct scene *scene, const char *trigger, struct callgrind_dump *dump)
 {
-    return dumps_take(&scene->dumps, trigger, "g", callees, dump, NULL);
+    static const struct callgrind_calls calls = {"g", callees, callees};
+    return dumps_take(&scene->dumps, trigger, &calls, dump, NULL);
 }
 
 static void dumps_in_order_are_taken(void **state)
@@ -75,6 +76,7 @@ static void dumps_in_order_are_taken(void **state)
     assert_int_equal(take(scene, "call", &dump), 0);
     assert_int_equal(dump.counts.instructions, 47);
     assert_int_equal(dump.called.instructions, 40);
+    assert_int_equal(dump.access_count, 1);
     put_dump(scene, "counts.2", 2, "call");
     assert_int_equal(take(scene, "call", &dump), 0);
     put_dump(scene, "counts", 3, "end");

@@ -73,6 +73,18 @@ static void texts_stand_in_both_languages(void **state)
     assert_refused(", \"es\": \"Mallas cerradas\"", "", MANIFEST ": es: expected a short text");
 }
 
+static void given_functions_are_not_the_students(void **state)
+{
+    (void)state;
+    assert_refused("\"classes\": [", "\"given\": [\"edge_table_any\"], \"classes\": [",
+                   MANIFEST ": given: expected functions that are not the student's to write");
+    assert_refused("\"classes\": [", "\"given\": [], \"classes\": [",
+                   MANIFEST ": given: expected a list of 1 to 8 function names");
+    assert_refused("\"leak\": {", "\"accesses\": {\"points\": 0, \"band\": 2}, \"leak\": {",
+                   MANIFEST ": accesses: expected \"given\" too: what is counted is calls of given "
+                            "functions");
+}
+
 static void titles_fit_a_terminal(void **state)
 {
     (void)state;
@@ -317,6 +329,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_sum_to_ten),
         cmocka_unit_test(texts_stand_in_both_languages),
+        cmocka_unit_test(given_functions_are_not_the_students),
         cmocka_unit_test(titles_fit_a_terminal),
         cmocka_unit_test(class_names_are_unique_and_plain),
         cmocka_unit_test(name_and_group_are_the_folders),

@@ -58,6 +58,38 @@ static void each_fits_its_exercise(void **state)
             fail_msg("%s has no judge", exercises[i].name);
 }
 
+/* A submission can call what the runner exports: main, the allocation shim, and exactly the functions
+ * that exercise.json says are given. */
+static void each_runner_gives_what_its_exercise_says(void **state)
+{
+    (void)state;
+    for (int i = 0; i < exercise_count; i++) {
+        const struct exercise *exercise = &exercises[i];
+        char command[PATH_MAX], line[256];
+        int found = 0;
+        snprintf(command, sizeof command,
+                 "nm -g --defined-only build/runner/%s/%s.plain.o | awk '{print $3}' | "
+                 "grep -v '^main$\\|^__wrap_\\|^__ubsan_default_options$'",
+                 exercise->group, exercise->name);
+        FILE *names = popen(command, "r");
+        assert_non_null(names);
+        while (fgets(line, sizeof line, names)) {
+            bool is_given = false;
+            line[strcspn(line, "\n")] = '\0';
+            for (int g = 0; g < exercise->given_count; g++)
+                is_given |= strcmp(exercise->given[g], line) == 0;
+            if (!is_given)
+                fail_msg("%s: the runner exports %s, which exercise.json does not list as given",
+                         exercise->name, line);
+            found++;
+        }
+        pclose(names);
+        if (found != exercise->given_count)
+            fail_msg("%s: of %d given functions the runner defines %d", exercise->name,
+                     exercise->given_count, found);
+    }
+}
+
 /* ------------------------------------------------------------------- inputs */
 
 static struct span span_of(const struct writer *writer)
@@ -247,6 +279,7 @@ static void garbage_is_rejected(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(each_fits_its_exercise),
+                                       cmocka_unit_test(each_runner_gives_what_its_exercise_says),
                                        cmocka_unit_test(inputs_repeat),
                                        cmocka_unit_test(the_reference_is_accepted),
                                        cmocka_unit_test(the_starter_fails_the_basic_class),

@@ -304,7 +304,8 @@ static void stricter_bands_fail_along(void **state)
     assert_true(expectation_fails_just("quality-fair,quality-good", "quality-fair", &rule));
     assert_false(expectation_fails_just("quality-fair,quality-good", "quality-good", &rule));
     assert_true(expectation_fails_just("quality-good", "quality-good", &rule));
-    assert_false(expectation_fails_just("open,quality-good", "open", &rule));
+    assert_true(expectation_fails_just("open,quality-good", "open", &rule)); /* wrong is not good */
+    assert_false(expectation_fails_just("open,quality-good", "quality-good", &rule));
     assert_false(expectation_fails_just("quality-good", "quality-fair", &rule));
 }
 

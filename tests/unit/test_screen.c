@@ -15,8 +15,9 @@
 enum { OBJECT_BYTES = 4 << 20 };
 
 static const char *const functions[] = {"edge_table_any", NULL};
-static const struct screen_rules rules = {functions, 1 << 20, false};
-static const struct screen_rules sanitized_rules = {functions, 1 << 20, true};
+static const char *const given[] = {"row_of_edge", "execute_query", NULL};
+static const struct screen_rules rules = {functions, given, 1 << 20, false};
+static const struct screen_rules sanitized_rules = {functions, given, 1 << 20, true};
 
 /* A right one; tests append to it. */
 #define RIGHT                                                                                      \
@@ -116,6 +117,19 @@ static void static_data_and_undefined_symbols_are_listed(void **state)
         assert_string_equal(screen.undefined[i], expected[i]);
     screen_release(&screen);
     free(object.at);
+}
+
+/* The exercise gives them, whatever they are called; nothing else may be left undefined that is
+ * forbidden, and they must not be defined. */
+static void given_functions_may_be_undefined(void **state)
+{
+    (void)state;
+    expect(RIGHT "int row_of_edge(int e); int execute_query(int q);\n"
+                 "int f(int e) { return row_of_edge(e) + execute_query(e); }",
+           "", "", NULL);
+    expect(RIGHT "int execute_other(int q); int f(int q) { return execute_other(q); }", "",
+           "forbidden-symbol", "execute_other");
+    expect(RIGHT "int row_of_edge(int e) { return e; }", "", "given-function", "row_of_edge");
 }
 
 static void code_around_main_is_refused(void **state)
@@ -318,6 +332,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(right_objects_pass),
         cmocka_unit_test(static_data_and_undefined_symbols_are_listed),
+        cmocka_unit_test(given_functions_may_be_undefined),
         cmocka_unit_test(code_around_main_is_refused),
         cmocka_unit_test(odd_sections_and_stacks_are_refused),
         cmocka_unit_test(names_that_disturb_are_refused),

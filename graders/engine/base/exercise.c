@@ -25,6 +25,7 @@ static const struct {
     [CHECK_LEAK] = {"leak", {"Frees what it allocates", "Libera lo que reserva"}},
     [CHECK_GROWTH] = {"growth", {"Growth of the work", "Crecimiento del trabajo"}},
     [CHECK_WORK] = {"work", {"Amount of work", "Cantidad de trabajo"}},
+    [CHECK_ACCESSES] = {"accesses", {"Number of accesses", "Número de accesos"}},
     [CHECK_MEMORY] = {"memory", {"Peak of memory", "Máximo de memoria"}},
     [CHECK_ALLOCATION_FAILURE] = {"allocation-failure",
                                   {"Reports that memory ran out", "Avisa si falta memoria"}},
@@ -146,21 +147,39 @@ static bool is_identifier(const char *name)
                '\0';
 }
 
-static void read_functions(struct place *place, const json_t *root, struct exercise *exercise)
+/* A list of at most `most` functions. Returns how many they are. */
+static int read_names(struct place *place, const json_t *root, const char *key, int most,
+                      char names[][EXERCISE_NAME])
 {
-    const json_t *functions = json_object_get(root, "functions");
-    size_t count = json_array_size(functions);
-    if (count < 1 || count > EXERCISE_FUNCTIONS) {
-        complain(place, "functions", "a list of 1 to 12 function names");
-        return;
+    const json_t *list = json_object_get(root, key);
+    size_t count = json_array_size(list);
+    char expected[80];
+    snprintf(expected, sizeof expected, "a list of 1 to %d function names", most);
+    if (count < 1 || count > (size_t)most) {
+        complain(place, key, expected);
+        return 0;
     }
     for (size_t i = 0; i < count; i++) {
-        const char *name = json_string_value(json_array_get(functions, i));
+        const char *name = json_string_value(json_array_get(list, i));
         if (!name || strlen(name) >= EXERCISE_NAME || !is_identifier(name))
-            complain(place, "functions", "names of functions");
+            complain(place, key, "names of functions");
         else
-            strcpy(exercise->functions[exercise->function_count++], name);
+            strcpy(names[i], name);
     }
+    return (int)count;
+}
+
+static void read_functions(struct place *place, const json_t *root, struct exercise *exercise)
+{
+    exercise->function_count =
+        read_names(place, root, "functions", EXERCISE_FUNCTIONS, exercise->functions);
+    if (!json_object_get(root, "given"))
+        return;
+    exercise->given_count = read_names(place, root, "given", EXERCISE_GIVEN, exercise->given);
+    for (int g = 0; g < exercise->given_count; g++)
+        for (int f = 0; f < exercise->function_count; f++)
+            if (strcmp(exercise->given[g], exercise->functions[f]) == 0)
+                complain(place, "given", "functions that are not the student's to write");
 }
 
 static void read_classes(struct place *place, const json_t *root, struct exercise *exercise)
@@ -221,8 +240,14 @@ static void read_checks(struct place *place, const json_t *root, struct exercise
     json_t *memory = read_check(place, root, exercise, CHECK_MEMORY, " points band ");
     if (memory)
         exercise->memory_band = get_number(place, memory, "band", 1, 1e6);
-    if ((work || memory) && !growth)
-        complain(place, "work", "\"growth\" too: both are measured at its sizes");
+    json_t *accesses = read_check(place, root, exercise, CHECK_ACCESSES, " points band ");
+    if (accesses)
+        exercise->access_band = get_number(place, accesses, "band", 1, 1e6);
+    if (accesses && exercise->given_count == 0)
+        complain(place, "accesses", "\"given\" too: what is counted is calls of given functions");
+    if ((work || memory || accesses) && !growth)
+        complain(place, work || memory ? "work" : "accesses",
+                 "\"growth\" too: all of these are measured at its sizes");
     read_check(place, root, exercise, CHECK_LEAK, " points ");
     read_check(place, root, exercise, CHECK_UNDEFINED_BEHAVIOUR, " points ");
     read_check(place, root, exercise, CHECK_ALLOCATION_FAILURE, " points ");
@@ -231,8 +256,8 @@ static void read_checks(struct place *place, const json_t *root, struct exercise
 static void read_root(struct place *place, json_t *root, struct exercise *exercise)
 {
     refuse_unknown_keys(place, root,
-                        " name group order problem title functions classes growth work memory leak "
-                        "undefined-behaviour allocation-failure limits ");
+                        " name group order problem title functions given classes growth work "
+                        "accesses memory leak undefined-behaviour allocation-failure limits ");
     get_text(place, root, "name", exercise->name, sizeof exercise->name);
     get_text(place, root, "group", exercise->group, sizeof exercise->group);
     get_text(place, root, "problem", exercise->problem, sizeof exercise->problem);

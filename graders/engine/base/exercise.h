@@ -13,6 +13,7 @@
 enum {
     EXERCISE_NAME = 64,
     EXERCISE_FUNCTIONS = 12,
+    EXERCISE_GIVEN = 8,
     EXERCISE_CLASSES = 24,
     FAMILIES_MAX = 4 /* of inputs on which growth is counted */
 };
@@ -29,6 +30,7 @@ enum check_kind {
     CHECK_LEAK,
     CHECK_GROWTH,
     CHECK_WORK,
+    CHECK_ACCESSES,
     CHECK_MEMORY,
     CHECK_ALLOCATION_FAILURE,
     CHECK_COUNT
@@ -40,6 +42,8 @@ struct exercise {
     int order;
     char functions[EXERCISE_FUNCTIONS][EXERCISE_NAME];
     int function_count;
+    char given[EXERCISE_GIVEN][EXERCISE_NAME]; /* functions that the runner gives to students: */
+    int given_count;                           /* each of their calls is counted as an access */
     struct exercise_class classes[EXERCISE_CLASSES];
     int class_count;
     bool checked[CHECK_COUNT];
@@ -47,8 +51,8 @@ struct exercise {
     char growth_allowed[16];        /* "n lg n" */
     struct message growth_elements; /* what its sizes count: "triangles" */
     int64_t growth_first_size;
-    int growth_doublings;          /* sizes: first, 2 first, ... 2^doublings first */
-    double work_band, memory_band; /* multiples of the reference */
+    int growth_doublings;                       /* sizes: first, 2 first, ... 2^doublings first */
+    double work_band, memory_band, access_band; /* multiples of the reference */
     int64_t memory_limit_bytes;
     double max_score;
     char folder[PATH_MAX]; /* exercises/<group>/<name>, absolute */

@@ -315,13 +315,15 @@ static void note_chance(struct build *build, const struct screen *screen)
 static int screen_one(const struct exercise *exercise, const char *name, bool sanitized,
                       struct build *build, struct error *err)
 {
-    const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL};
-    struct screen_rules rules = {functions, STATIC_LIMIT_BYTES, sanitized};
+    const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL}, *given[EXERCISE_GIVEN + 1] = {NULL};
+    struct screen_rules rules = {functions, given, STATIC_LIMIT_BYTES, sanitized};
     char *object;
     size_t object_bytes;
     struct screen screen;
     for (int i = 0; i < exercise->function_count; i++)
         functions[i] = exercise->functions[i];
+    for (int i = 0; i < exercise->given_count; i++)
+        given[i] = exercise->given[i];
     if (file_read_below(build->folder, name, 2 * FILE_LIMIT_BYTES, &object, &object_bytes, err) !=
         0)
         return -1;

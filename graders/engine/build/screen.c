@@ -29,6 +29,8 @@ static const struct cause indirect_function = {"indirect-function",
                                                {"indirect function", "función indirecta"}};
 static const struct cause missing_function = {"missing-function",
                                               {"missing function", "falta la función"}};
+static const struct cause given_function = {
+    "given-function", {"function given by the exercise", "función dada por el ejercicio"}};
 static const struct cause not_a_function = {"not-a-function",
                                             {"not a function", "no es una función"}};
 
@@ -405,6 +407,8 @@ static int check_sections(struct object *o)
 
 static int check_undefined(struct object *o, const char *name)
 {
+    if (is_listed(name, o->rules->given))
+        return 0;
     if (is_listed(name, forbidden_symbols) || begins_as_listed(name, forbidden_symbol_prefixes))
         return refuse(&o->screen->refusal, &forbidden_symbol,
                       "The code uses %s, which is not allowed here.",
@@ -424,6 +428,11 @@ static int check_undefined(struct object *o, const char *name)
 
 static int check_defined(struct object *o, const char *name, const Elf64_Sym *symbol)
 {
+    if (is_listed(name, o->rules->given))
+        return refuse(&o->screen->refusal, &given_function,
+                      "The code defines %s, which the exercise gives: call it, and leave it out.",
+                      "El código define %s, que la da el ejercicio: llámela, sin definirla.",
+                      shown(o, name));
     if (ELF64_ST_BIND(symbol->st_info) == STB_LOCAL)
         return 0;
     if (begins_as_listed(name, sanitizer_prefixes))

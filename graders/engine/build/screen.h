@@ -7,7 +7,8 @@
  *   - what would let the code leave the measurement: memory past malloc (mmap, sbrk), threads,
  * other stacks, system calls made directly, names of the sanitizers, the allocation shim's inner
  * names, libc's inner names, requests to valgrind in the code
- *   - more static data than the limit; a missing or unsuitable function of the exercise
+ *   - more static data than the limit; a missing or unsuitable function of the exercise; a
+ *     definition of one that the exercise gives
  * Calls such as fork, open, socket or exit are not refused here: the box refuses them when they are
  * made, and names them.
  *
@@ -28,6 +29,8 @@
 
 struct screen_rules {
     const char *const *functions; /* NULL-terminated: each must be a defined global function */
+    const char *const *given;     /* NULL-terminated: functions that the runner defines for it, and
+                                     which it may leave undefined, whatever they are called */
     int64_t static_limit_bytes;   /* of .data + .bss + .tdata + .tbss + .rodata together */
     bool sanitized;               /* the object that was compiled with ASan and UBSan: see below */
 };
@@ -47,7 +50,7 @@ struct screen {
  *               -1 and *err only when memory runs out
  * Cost: linear in the file. Causes: object-malformed, forbidden-section, constructor,
  * executable-stack, indirect-function, static-data, forbidden-symbol, sanitizer-symbol,
- * tool-request, system-call-instruction, missing-function, not-a-function. */
+ * tool-request, system-call-instruction, missing-function, not-a-function, given-function. */
 int screen_object(const void *bytes, size_t count, const struct screen_rules *rules,
                   struct screen *screen, struct error *err) MUST_CHECK;
 

@@ -147,6 +147,34 @@ static json_t *quality_json(const struct trial *trial)
     return json;
 }
 
+static json_t *family_accesses_json(const struct trial *trial, int family)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    const struct family_result *found = &trial->families[family];
+    json_t *sizes = json_array(), *mine = json_array(), *theirs = json_array();
+    for (int i = 0; i < found->size_count; i++) {
+        if (!found->costs[i].counted || !yardstick->costs[family][i].counted)
+            continue;
+        json_array_append_new(sizes, json_integer(yardstick->inputs.told_sizes[i]));
+        json_array_append_new(mine, json_integer(found->costs[i].access_count));
+        json_array_append_new(theirs, json_integer(yardstick->costs[family][i].access_count));
+    }
+    return json_pack("{s:s, s:o, s:o, s:o}", "name",
+                     judge_family_name(yardstick->inputs.judge, family), "sizes", sizes, "accesses",
+                     mine, "reference_accesses", theirs);
+}
+
+static json_t *accesses_json(const struct trial *trial)
+{
+    json_t *families = json_array();
+    json_array_append_new(families, family_accesses_json(trial, trial->access_family));
+    for (int i = 0; i < trial->yardstick->inputs.family_count; i++)
+        if (i != trial->access_family)
+            json_array_append_new(families, family_accesses_json(trial, i));
+    return json_pack("{s:o, s:o, s:o}", "ratio", rounded(trial->access_ratio), "band",
+                     rounded(trial->yardstick->inputs.exercise->access_band), "families", families);
+}
+
 json_t *measures_json(const struct trial *trial)
 {
     json_t *measures = json_object();
@@ -158,6 +186,8 @@ json_t *measures_json(const struct trial *trial)
                                       "band", rounded(trial->yardstick->inputs.exercise->work_band),
                                       "instruction_ratio", rounded(trial->instruction_ratio),
                                       "miss_ratio", rounded(trial->miss_ratio)));
+    if (trial->access_ratio > 0)
+        json_object_set_new(measures, "accesses", accesses_json(trial));
     if (trial->memory_ratio > 0)
         json_object_set_new(measures, "memory", memory_json(trial));
     json_t *quality = quality_json(trial);

@@ -228,7 +228,8 @@ static struct usage usage_of(const struct control *claims)
                           .heap_held_bytes = claims->heap_held_bytes,
                           .heap_left_bytes = claims->heap_left_bytes,
                           .allocation_count = claims->allocation_count,
-                          .known = true};
+                          .known = true,
+                          .access_count = claims->access_count};
 }
 
 void attempt_take(struct attempt *attempt, struct examination *examination)

@@ -159,6 +159,7 @@ static void charge(const struct cost *reference, const struct callgrind_dump *du
                                    cost->beside_instructions <=
                                        2 * reference->beside_instructions + BESIDE_SLACK);
     cost->counts = is_alone ? dump->called : dump->counts;
+    cost->access_count = dump->access_count;
     cost->counted = true;
 }
 
@@ -166,10 +167,26 @@ static int take_dump(struct measuring *m, const char *trigger, struct callgrind_
                      struct error *err)
 {
     const struct exercise *exercise = m->inputs->exercise;
-    const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL};
+    const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL}, *given[EXERCISE_GIVEN + 1] = {NULL};
+    const struct callgrind_calls calls = {SERIES_CALLER, functions, given};
     for (int i = 0; i < exercise->function_count; i++)
         functions[i] = exercise->functions[i];
-    return dumps_take(&m->series.dumps, trigger, SERIES_CALLER, functions, dump, err);
+    for (int i = 0; i < exercise->given_count; i++)
+        given[i] = exercise->given[i];
+    return dumps_take(&m->series.dumps, trigger, &calls, dump, err);
+}
+
+/* The runner counts accesses in the process of the submission, which can write there what it likes.
+ * callgrind saw each of these calls as well: so the claim must be true, and where nothing counts
+ * beside, a submission would have to know when it may lie. */
+static int compare_accesses(const struct measuring *m, const struct callgrind_dump *dump,
+                            struct error *err)
+{
+    int64_t claimed = m->series.session.claims.access_count;
+    if (claimed == dump->access_count)
+        return 0;
+    return error_set(err, "%lld accesses were reported, and callgrind saw %lld", (long long)claimed,
+                     (long long)dump->access_count);
 }
 
 /* What the reference's call on the same input cost; NULL: it is not known. */
@@ -182,7 +199,7 @@ static const struct cost *reference_cost(const struct measuring *m, int family, 
 static int read_counts(struct measuring *m, int family, int size_index, struct error *err)
 {
     struct callgrind_dump dump;
-    if (take_dump(m, SERIES_DUMPED_CALL, &dump, err) != 0)
+    if (take_dump(m, SERIES_DUMPED_CALL, &dump, err) != 0 || compare_accesses(m, &dump, err) != 0)
         return -1;
     charge(reference_cost(m, family, size_index), &dump, &m->costs[family][size_index]);
     return 0;

@@ -17,6 +17,7 @@ struct cost {
     int64_t heap_peak_bytes;
     int64_t allocation_count;
     int64_t stack_bytes;
+    int64_t access_count; /* calls of the functions that the exercise gives */
 };
 
 /* What to measure: sizes first ... last of the families first_family ... last_family. */
@@ -52,7 +53,7 @@ int count_memory(struct inputs *inputs, const struct build *build, const struct 
                  struct cost *const costs[FAMILIES_MAX], struct count_run *run,
                  struct error *err) MUST_CHECK;
 
-/* The same under callgrind: counts are set. */
+/* The same under callgrind: counts are set, and access_count. */
 int count_work(struct inputs *inputs, const struct build *build, const struct count_plan *plan,
                struct cost *const costs[FAMILIES_MAX], struct count_run *run,
                struct error *err) MUST_CHECK;

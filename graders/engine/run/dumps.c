@@ -52,8 +52,8 @@ void dumps_drain(void *argument)
     }
 }
 
-int dumps_take(struct dumps *dumps, const char *trigger, const char *caller,
-               const char *const *callees, struct callgrind_dump *dump, struct error *err)
+int dumps_take(struct dumps *dumps, const char *trigger, const struct callgrind_calls *calls,
+               struct callgrind_dump *dump, struct error *err)
 {
     dumps_drain(dumps);
     size_t count = dumps->count;
@@ -63,7 +63,7 @@ int dumps_take(struct dumps *dumps, const char *trigger, const char *caller,
         return error_set(err, "callgrind dumped nothing");
     if (dumps->too_long)
         return error_set(err, "more than any dump of callgrind");
-    if (callgrind_parse_calls(dumps->text, count, caller, callees, dump, err) != 0)
+    if (callgrind_parse_calls(dumps->text, count, calls, dump, err) != 0)
         return -1;
     if (dump->part != number)
         return error_set(err, "callgrind's dump %lld came as number %lld", (long long)dump->part,

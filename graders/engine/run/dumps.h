@@ -39,11 +39,10 @@ void dumps_drain(void *dumps);
 /* The dump that callgrind must have written by now, and nothing beside it.
  *
  * trigger  what must have made it dump, as in struct callgrind_dump
- * caller, callees  as callgrind_parse_calls
+ * calls    as callgrind_parse_calls
  * returns  0, or -1 and *err: nothing came, or something that is not exactly this dump */
-int dumps_take(struct dumps *dumps, const char *trigger, const char *caller,
-               const char *const *callees, struct callgrind_dump *dump,
-               struct error *err) MUST_CHECK;
+int dumps_take(struct dumps *dumps, const char *trigger, const struct callgrind_calls *calls,
+               struct callgrind_dump *dump, struct error *err) MUST_CHECK;
 
 void dumps_release(struct dumps *dumps);
 

@@ -16,6 +16,8 @@ static const struct cause memory_band = {
     "memory-band", {"memory above the band", "memoria por encima del margen"}};
 static const struct cause work_band = {"work-band",
                                        {"work above the band", "trabajo por encima del margen"}};
+static const struct cause access_band = {"access-band",
+                                         {"too many accesses", "demasiados accesos"}};
 static const struct cause time_denies_counts = {
     "time-denies-counts", {"time contradicts the counts", "el tiempo contradice las cuentas"}};
 static const struct cause no_valgrind = {"no-valgrind", {"no valgrind", "sin valgrind"}};
@@ -26,8 +28,12 @@ enum {
     TIME_TO_COUNT = 5          /* see check_counts */
 };
 
-static const enum check_kind sized_checks[] = {CHECK_GROWTH, CHECK_WORK, CHECK_MEMORY};
-enum { SIZED_CHECKS = sizeof sized_checks / sizeof sized_checks[0] };
+static const enum check_kind sized_checks[] = {CHECK_GROWTH, CHECK_WORK, CHECK_ACCESSES,
+                                               CHECK_MEMORY};
+enum {
+    SIZED_CHECKS = sizeof sized_checks / sizeof sized_checks[0],
+    COUNTED_CHECKS = SIZED_CHECKS - 1 /* all but memory rest on callgrind */
+};
 
 /* --------------------------------------------------------------- measuring */
 
@@ -296,13 +302,39 @@ static void judge_memory(struct trial *trial)
               trial->memory_ratio, yardstick->inputs.exercise->memory_band);
 }
 
+/* The largest size at which both were counted with everything. */
+static int largest_counted(const struct trial *trial, int family)
+{
+    int mine = trial->families[family].size_count, all = trial->yardstick->inputs.size_count;
+    return (mine < all ? mine : all) - 1;
+}
+
+/* callgrind saw each access: the count needs no second witness. */
+static void judge_accesses(struct trial *trial)
+{
+    const struct yardstick *yardstick = trial->yardstick;
+    struct check_result *check = &trial->checks[CHECK_ACCESSES];
+    for (int family = 0; family < yardstick->inputs.family_count; family++) {
+        int largest = largest_counted(trial, family);
+        double ratio = (double)trial->families[family].costs[largest].access_count /
+                       (double)(yardstick->costs[family][largest].access_count + 1);
+        if (ratio > trial->access_ratio) {
+            trial->access_ratio = ratio;
+            trial->access_family = family;
+        }
+    }
+    bool within = trial->access_ratio <= yardstick->inputs.exercise->access_band;
+    check_say(check, within ? VERDICT_PASSED : VERDICT_TOO_MUCH_WORK, within ? NULL : &access_band,
+              "The structure was accessed %.2f times as often as by the reference (at most %.4g).",
+              "Se accedió a la estructura %.2f veces lo que la referencia (como mucho %.4g).",
+              trial->access_ratio, yardstick->inputs.exercise->access_band);
+}
+
 static void find_work_ratios(struct trial *trial, int *family_at_fault)
 {
     const struct yardstick *yardstick = trial->yardstick;
     for (int family = 0; family < yardstick->inputs.family_count; family++) {
-        int largest = trial->families[family].size_count - 1;
-        if (largest >= yardstick->inputs.size_count)
-            largest = yardstick->inputs.size_count - 1;
+        int largest = largest_counted(trial, family);
         const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
         const struct callgrind_counts *theirs = &yardstick->costs[family][largest].counts;
         double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
@@ -398,7 +430,7 @@ static int check_counts(struct trial *trial, struct error *err)
 static void say_not_measured(struct trial *trial)
 {
     struct phrase why = trial->yardstick->probes.no_valgrind;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < COUNTED_CHECKS; i++) {
         struct check_result *check = &trial->checks[sized_checks[i]];
         check_say(check, VERDICT_NOT_MEASURED, &no_valgrind,
                   "Not measured here: ", "No se midió aquí: ");
@@ -437,6 +469,8 @@ int sized_check(struct trial *trial, struct error *err)
             return -1;
     if (!right || trial->checks[CHECK_GROWTH].verdict != VERDICT_PASSED)
         return 0;
+    if (exercise->checked[CHECK_ACCESSES])
+        judge_accesses(trial);
     if (exercise->checked[CHECK_WORK] && judge_work(trial, err) != 0)
         return -1;
     return check_counts(trial, err);

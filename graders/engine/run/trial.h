@@ -51,9 +51,10 @@ struct trial {
     struct check_result checks[CHECK_COUNT];
     struct family_result families[FAMILIES_MAX];
     double work_ratio, instruction_ratio, miss_ratio; /* worst family, largest size; 0: unknown */
-    double memory_ratio;
+    double memory_ratio, access_ratio;
     int memory_family, memory_size; /* indices of where that was */
-    uint32_t active_layers;         /* of the box in which the cases ran */
+    int access_family;
+    uint32_t active_layers; /* of the box in which the cases ran */
     struct box_reason layer_reasons[BOX_LAYER_COUNT];
     char output[ATTEMPT_OUTPUT];
 };
