@@ -1,6 +1,6 @@
 /* Tries: to be linear near 128 times a power of two, where work used to be counted, and quadratic elsewhere
  * Stopped by: each class draws its own sizes
- * expect: grows-too-fast */
+ * expect: grows-too-fast, n^2 */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"
