@@ -316,7 +316,7 @@ static int screen_one(const struct exercise *exercise, const char *name, bool sa
                       struct build *build, struct error *err)
 {
     const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL};
-    struct screen_rules rules = {functions, STATIC_LIMIT_BYTES, sanitized};
+    struct screen_rules rules = {functions, STATIC_LIMIT_BYTES, sanitized, NULL};
     char *object;
     size_t object_bytes;
     struct screen screen;
@@ -361,8 +361,9 @@ static int check_program(struct build *build, struct error *err)
     return 0;
 }
 
-/* Policy and screen look at what the compiler made. A missing function is told better by the screen
- * than by the linker, so both run after a failed link too. */
+/* Policy and screen look at what the compiler made. A missing function of the exercise is told better
+ * by the screen than by the linker, so both run after a failed link too; any other name that is
+ * nowhere the linker tells better, with the line that uses it. */
 static int check_build(const struct exercise *exercise, const struct source *sources, int count,
                        enum build_extent extent, struct build *build, struct error *err)
 {
@@ -373,7 +374,9 @@ static int check_build(const struct exercise *exercise, const struct source *sou
     if (check_policy(build, sources, count, err) != 0 ||
         (!build->refusal.refused && check_screen(exercise, extent, build, err) != 0))
         return -1;
-    if (build->refusal.refused)
+    const bool linker_knows_better =
+        of_linker.refused && strcmp(build->refusal.cause, "unknown-symbol") == 0;
+    if (build->refusal.refused && !linker_knows_better)
         return 0;
     build->refusal = of_linker;
     return of_linker.refused ? 0 : check_program(build, err);
