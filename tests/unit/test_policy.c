@@ -1,4 +1,5 @@
 /* The policy on preprocessed text: what gcc -E makes of honest and of tricky sources. */
+#include "graders/engine/build/directives.h"
 #include "graders/engine/build/policy.h"
 
 #include <setjmp.h>
@@ -97,7 +98,7 @@ static void honest_words_pass(void **state)
     expect("__attribute__((noinline, aligned(sizeof(int)), cleanup(section))) int f(void);\n"
            "__attribute__((unused)) static int naked(int constructor) { return constructor; }\n"
            "#pragma GCC diagnostic ignored \"-Wall\"\n#pragma STDC FP_CONTRACT OFF\n"
-           "#pragma GCC unroll 4\n#pragma pack(push, 1)\n#pragma weakly\n",
+           "#pragma GCC unroll 4\n#pragma pack(push, 1)\n#pragma omp simd\n#pragma once\n",
            "", 0);
     expect("int x = __builtin_popcount(3); void g(void) { __builtin_ia32_pause(); }\n", "", 0);
 }
@@ -138,6 +139,13 @@ static void attributes_are_refused(void **state)
                                         "section(\\\".init\\\")",
                                         "alias(\\\"g\\\")",
                                         "optimize(\\\"O3\\\")",
+                                        "copy(g)",
+                                        "indirect_branch(\\\"thunk-extern\\\")",
+                                        "common",
+                                        "patchable_function_entry(9)",
+                                        "retain",
+                                        "simd",
+                                        "of_tomorrow",
                                         "target(\\\"avx2\\\")",
                                         "target_clones(\\\"avx2\\\", \\\"default\\\")",
                                         "unused, aligned(8), __naked__"};
@@ -173,12 +181,98 @@ static void pragmas_are_refused(void **state)
                                           "#pragma redefine_extname f g",
                                           "#  pragma   GCC   optimize \"O3\"",
                                           "#pragma GCC push_options",
+                                          "#pragma weakly",
+                                          "#pragma GCC pch_preprocess \"x\"",
+                                          "#pragma GCC visibility push(default)",
+                                          "#pragma GCC of_tomorrow",
+                                          "#pragma ident \"nop\"",
                                           "_Pragma(\"GCC optimize(3)\")"};
     for (size_t i = 0; i < sizeof pragmas / sizeof pragmas[0]; i++) {
         char source[200];
         snprintf(source, sizeof source, "int x;\n%s\nint y;\n", pragmas[i]);
         expect(source, "forbidden-pragma", 2);
     }
+}
+
+/* gcc hands the text of #ident to the assembler. */
+static void other_directives_are_refused(void **state)
+{
+    (void)state;
+    expect("int x;\n#ident \"\\\"\\n nop \\n .string \\\"\"\n", "forbidden-directive", 2);
+    expect("int x;\n%: sccs \"x\"\n", "forbidden-directive", 2);
+    struct policy policy;
+    policy_check("#assert x(y)\n", 13, NULL, &policy);
+    assert_string_equal(policy.refusal.cause, "forbidden-directive");
+    policy_check("#pragmatic\n", 11, NULL, &policy);
+    assert_string_equal(policy.refusal.cause, "forbidden-directive");
+}
+
+static void expect_source(const char *source, const char *cause, int line)
+{
+    struct refusal refusal = {0};
+    char where[32];
+    int found = directives_check("main.c", source, strlen(source), &refusal);
+    if (strcmp(refusal.cause, cause) != 0 || found != line)
+        print_error("%s\n", source);
+    assert_string_equal(refusal.cause, cause);
+    assert_int_equal(found, line);
+    assert_int_equal(refusal.refused, cause[0] != '\0');
+    snprintf(where, sizeof where, "main.c:%d: ", line);
+    if (line) {
+        assert_memory_equal(refusal.message.en, where, strlen(where));
+        assert_memory_equal(refusal.message.es, where, strlen(where));
+    }
+}
+
+/* Whatever the preprocessor takes for one, and nothing else. */
+static void markers_in_the_source_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *source, *cause;
+        int line;
+    } rows[] = {
+        {"int x;\n# 1 \"/usr/include/stdio.h\" 1 3\n", "forbidden-line", 2},
+        {"#1 \"a\"", "forbidden-line", 1},
+        {"\xef\xbb\xbf# 1 \"a\"", "forbidden-line", 1},
+        {"#define F \"a\"\n# 1 F 1 3\n", "forbidden-line", 2},
+        {" \t\f\v\r# \t1 \"a\"", "forbidden-line", 1},
+        {"%: 1 \"a\"", "forbidden-line", 1},
+        {"%\\\n:\\ \n 1 \"a\"", "forbidden-line", 2},
+        {"?\?= 1 \"a\"", "forbidden-line", 1},
+        {"#\\\n 1 \"a\"", "forbidden-line", 1},
+        {"#?\?/\n 1 \"a\"", "forbidden-line", 1},
+        {"/* x\n */ # 1 \"a\"", "forbidden-line", 2},
+        {"#/* x\n */ 1 \"a\"", "forbidden-line", 1},
+        {"# /\\\n* x *\\\n/ 1 \"a\"", "forbidden-line", 1},
+        {"// x \\\n\n# 1 \"a\"", "forbidden-line", 3},
+        {"#if 0\ndon't /*\n#endif\n# 1 \"a\"\n/* */", "forbidden-line", 4},
+        {"const char *s = \"\\\\\" \"/*\";\n# 1 \"a\"", "forbidden-line", 2},
+        {"char c = '\"'; /* \" */\n# 1 \"a\"", "forbidden-line", 2},
+        {"char c = '/*\n# 1 \"a\"", "forbidden-line", 2},
+        {"#ident \"x\"", "forbidden-directive", 1},
+        {"#/**/sc\\\ncs \"x\"", "forbidden-directive", 1},
+        {"#if __has_include(</*>)\n#endif\n# 1 \"a\" /* */", "forbidden-include", 1},
+        {"#include <a\"/*>\n# 1 \"a\" /* \" */", "forbidden-include", 1},
+        {"#pragma GCC dependency </*>\n", "forbidden-include", 1},
+        {"s = R\"( \" /* )\";\n# 1 \"a\"\n", "raw-string", 1},
+        {"s = u8\\\nR\"()\";", "raw-string", 2},
+        {"/*\n# 1 \"a\"\n# ident is a word\n*/ int x;", "", 0},
+        {"// \\\n# 1 \"a\"\n", "", 0},
+        {"const char *s = \"\\\n# 1 \";\n", "", 0},
+        {"#if A < B /* less */ && C > D\n#include <stdio.h> /* puts */\n#endif", "", 0},
+        {"#include \"own.h\" // one's own\n#define HASH #\nHASH 1\nx = a # 1;", "", 0},
+        {"#line 7\n#define identity(x) x\n#error don't\n#", "", 0},
+        {"", "", 0},
+        {"\\", "", 0},
+        {"/*", "", 0},
+        {"#/", "", 0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        expect_source(rows[i].source, rows[i].cause, rows[i].line);
+    struct refusal refusal = {0};
+    assert_int_equal(directives_check("main.c", "\0#\0 1", 5, &refusal), 1);
+    assert_string_equal(refusal.cause, "forbidden-line");
 }
 
 /* Markers in the student's text may not make it look like a system header. */
@@ -308,11 +402,17 @@ static int tear_down(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_header_passes),  cmocka_unit_test(honest_words_pass),
-        cmocka_unit_test(assembly_is_refused),  cmocka_unit_test(attributes_are_refused),
-        cmocka_unit_test(pragmas_are_refused),  cmocka_unit_test(forged_lines_are_refused),
-        cmocka_unit_test(includes_stay_inside), cmocka_unit_test(raw_strings_are_refused),
+        cmocka_unit_test(every_header_passes),
+        cmocka_unit_test(honest_words_pass),
+        cmocka_unit_test(assembly_is_refused),
+        cmocka_unit_test(attributes_are_refused),
+        cmocka_unit_test(pragmas_are_refused),
+        cmocka_unit_test(forged_lines_are_refused),
+        cmocka_unit_test(includes_stay_inside),
+        cmocka_unit_test(raw_strings_are_refused),
         cmocka_unit_test(anything_is_survived),
+        cmocka_unit_test(other_directives_are_refused),
+        cmocka_unit_test(markers_in_the_source_are_refused),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -16,8 +16,10 @@ enum { OBJECT_BYTES = 4 << 20 };
 
 static const char *const functions[] = {"edge_table_any", NULL};
 static const char *const given[] = {"row_of_edge", "execute_query", NULL};
+static const char *const giving[] = {"row_of_edge", "execute_query", "use", "mesh_vertex", NULL};
 static const struct screen_rules rules = {functions, given, 1 << 20, false};
-static const struct screen_rules sanitized_rules = {functions, given, 1 << 20, true};
+static const struct screen_rules sanitized_rules = {functions, giving, 1 << 20, true};
+static const struct screen_rules giving_rules = {functions, giving, 1 << 20, false};
 
 /* A right one; tests append to it. */
 #define RIGHT                                                                                      \
@@ -128,7 +130,7 @@ static void given_functions_may_be_undefined(void **state)
                  "int f(int e) { return row_of_edge(e) + execute_query(e); }",
            "", "", NULL);
     expect(RIGHT "int execute_other(int q); int f(int q) { return execute_other(q); }", "",
-           "forbidden-symbol", "execute_other");
+           "unknown-symbol", "execute_other");
     expect(RIGHT "int row_of_edge(int e) { return e; }", "", "given-function", "row_of_edge");
 }
 
@@ -171,11 +173,30 @@ static void odd_sections_and_stacks_are_refused(void **state)
 static void names_that_disturb_are_refused(void **state)
 {
     (void)state;
-    static const char *const names[] = {
-        "execve",        "fexecve",        "posix_spawn", "wordexp",       "pvalloc",
-        "mmap",          "munmap",         "sbrk",        "syscall",       "dlsym",
-        "swapcontext",   "pthread_create", "thrd_create", "__real_malloc", "__wrap_free",
-        "__libc_malloc", "__malloc_hook",  "environ"};
+    static const char *const names[] = {"execve",
+                                        "fexecve",
+                                        "posix_spawn",
+                                        "wordexp",
+                                        "pvalloc",
+                                        "__malloc",
+                                        "__mremap",
+                                        "__getcontext",
+                                        "prctl",
+                                        "__pthread_create",
+                                        "__splitstack_makecontext",
+                                        "mmap",
+                                        "munmap",
+                                        "sbrk",
+                                        "syscall",
+                                        "dlsym",
+                                        "swapcontext",
+                                        "pthread_create",
+                                        "thrd_create",
+                                        "__real_malloc",
+                                        "__wrap_free",
+                                        "__libc_malloc",
+                                        "__malloc_hook",
+                                        "environ"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         char source[2000];
         snprintf(source, sizeof source, RIGHT "extern long %s(void); long f(void) { return %s(); }",
@@ -191,6 +212,44 @@ static void names_that_disturb_are_refused(void **state)
     expect(RIGHT "int __lsan_is_turned_off(void) { return 1; }", "", "sanitizer-symbol", "__lsan_");
     expect(RIGHT "void *__wrap_malloc(size_t n) { return 0; }", "", "forbidden-symbol",
            "__wrap_malloc");
+}
+
+/* On no list: perhaps a slip, perhaps a name of what stands beside the code. */
+static void unknown_names_are_refused(void **state)
+{
+    (void)state;
+    expect(RIGHT "extern char end[]; char *f(void) { return end; }", "", "unknown-symbol", "end");
+    expect(RIGHT "void edge_sort(void); void f(void) { edge_sort(); }", "", "unknown-symbol",
+           "edge_sort");
+    expect(RIGHT "extern int _IO_list_all; int f(void) { return _IO_list_all; }", "",
+           "unknown-symbol", "_IO_list_all");
+}
+
+/* Of what is not there weakly, the address says NULL, and so which tool is there. */
+static void weak_names_are_refused(void **state)
+{
+    (void)state;
+    expect(RIGHT "int fork(void) __attribute__((weak)); int f(void) { return fork != 0; }", "",
+           "forbidden-symbol", "fork");
+    expect(RIGHT "int fork(void);\n#pragma weak fork\nint f(void) { return fork != 0; }", "",
+           "forbidden-symbol", "fork");
+    expect(RIGHT "__attribute__((weak)) int own(void) { return 3; }", "", "", NULL);
+    expect_by(&sanitized_rules,
+              RIGHT "int fork(void) __attribute__((weak)); int f(void) { return fork != 0; }",
+              "-O1 -fsanitize=address,undefined", "forbidden-symbol", "fork");
+}
+
+static void given_names_are_allowed(void **state)
+{
+    (void)state;
+    static const char source[] = RIGHT "int mesh_vertex(int); int f(int i)\n"
+                                       "{ return mesh_vertex(i); }";
+    expect(source, "", "unknown-symbol", "mesh_vertex");
+    expect_by(&giving_rules, source, "", "", NULL);
+    expect_by(&giving_rules,
+              RIGHT "int mesh_vertices(void); int f(void)\n"
+                    "{ return mesh_vertices(); }",
+              "", "unknown-symbol", "mesh_vertices");
 }
 
 /* Their object holds names that gcc makes, and may hold calls that the plain one does not. */
@@ -336,6 +395,9 @@ int main(void)
         cmocka_unit_test(code_around_main_is_refused),
         cmocka_unit_test(odd_sections_and_stacks_are_refused),
         cmocka_unit_test(names_that_disturb_are_refused),
+        cmocka_unit_test(unknown_names_are_refused),
+        cmocka_unit_test(weak_names_are_refused),
+        cmocka_unit_test(given_names_are_allowed),
         cmocka_unit_test(objects_for_sanitizers_are_screened),
         cmocka_unit_test(missing_functions_are_named),
         cmocka_unit_test(requests_and_system_calls_are_refused),

@@ -2,6 +2,7 @@
 #include "graders/engine/build/build.h"
 
 #include "graders/engine/base/files.h"
+#include "graders/engine/build/directives.h"
 #include "graders/engine/build/policy.h"
 #include "graders/engine/build/screen.h"
 
@@ -279,6 +280,13 @@ static int judge_outcome(struct build *build, const struct box_outcome *outcome,
 
 /* ------------------------------------------------------------------ checks */
 
+/* Before anything is compiled. */
+static void check_directives(struct build *build, const struct source *sources, int count)
+{
+    for (int i = 0; i < count && !build->refusal.refused; i++)
+        directives_check(sources[i].name, sources[i].bytes, sources[i].count, &build->refusal);
+}
+
 static int check_policy(struct build *build, const struct source *sources, int count,
                         struct error *err)
 {
@@ -363,8 +371,9 @@ static int check_program(struct build *build, struct error *err)
     return 0;
 }
 
-/* Policy and screen look at what the compiler made. A missing function is told better by the screen
- * than by the linker, so both run after a failed link too. */
+/* Policy and screen look at what the compiler made. A missing function of the exercise is told better
+ * by the screen than by the linker, so both run after a failed link too; any other name that is
+ * nowhere the linker tells better, with the line that uses it. */
 static int check_build(const struct exercise *exercise, const struct source *sources, int count,
                        enum build_extent extent, struct build *build, struct error *err)
 {
@@ -375,7 +384,9 @@ static int check_build(const struct exercise *exercise, const struct source *sou
     if (check_policy(build, sources, count, err) != 0 ||
         (!build->refusal.refused && check_screen(exercise, extent, build, err) != 0))
         return -1;
-    if (build->refusal.refused)
+    const bool linker_knows_better =
+        of_linker.refused && strcmp(build->refusal.cause, "unknown-symbol") == 0;
+    if (build->refusal.refused && !linker_knows_better)
         return 0;
     build->refusal = of_linker;
     return of_linker.refused ? 0 : check_program(build, err);
@@ -410,6 +421,9 @@ int build_submission(const struct exercise *exercise, const struct source *sourc
         copy_runners(exercise, extent, build->folder, err) != 0 ||
         box_give_folder(build->folder, err) != 0)
         return -1;
+    check_directives(build, sources, source_count);
+    if (build->refusal.refused) /* the box starts all the same, and tells its layers */
+        return run_script(build, "exit 0", &outcome, err);
     write_script(exercise, sources, source_count, extent, &script);
     if (run_script(build, script.text, &outcome, err) != 0 ||
         judge_outcome(build, &outcome, err) != 0 ||

@@ -11,6 +11,8 @@ static const struct cause forbidden_include = {"forbidden-include",
                                                {"forbidden include", "inclusión no permitida"}};
 static const struct cause forbidden_line = {"forbidden-line",
                                             {"forbidden #line", "#line no permitido"}};
+static const struct cause forbidden_directive = {"forbidden-directive",
+                                                 {"forbidden directive", "directiva no permitida"}};
 static const struct cause forbidden_pragma = {"forbidden-pragma",
                                               {"forbidden pragma", "pragma no permitido"}};
 static const struct cause forbidden_attribute = {"forbidden-attribute",
@@ -45,7 +47,7 @@ struct reader {
 
 static const char *const assembly_words[] = {"asm", "__asm", "__asm__", NULL};
 
-/* Without the underscores around them. */
+/* Without the underscores around them: what not even a system header may say. */
 static const char *const forbidden_attributes[] = {"constructor",
                                                    "destructor",
                                                    "naked",
@@ -64,19 +66,96 @@ static const char *const forbidden_attributes[] = {"constructor",
 
 static const char *const system_attributes[] = {"target", NULL};
 
-static const char *const forbidden_pragmas[] = {"GCC optimize",
-                                                "GCC target",
-                                                "GCC push_options",
-                                                "GCC pop_options",
-                                                "GCC reset_options",
-                                                "GCC dependency",
-                                                "GCC pch_preprocess",
-                                                "redefine_extname",
-                                                "weak",
-                                                NULL};
+/* What a right answer may want. All others, those of later compilers too, are refused: some reach
+ * the assembler or the linker, some change how the function is compiled, `copy` takes over others.
+ */
+static const char *const allowed_attributes[] = {"access",
+                                                 "aligned",
+                                                 "alloc_align",
+                                                 "alloc_size",
+                                                 "always_inline",
+                                                 "artificial",
+                                                 "assume",
+                                                 "assume_aligned",
+                                                 "cleanup",
+                                                 "cold",
+                                                 "const",
+                                                 "__const",
+                                                 "counted_by",
+                                                 "deprecated",
+                                                 "designated_init",
+                                                 "error",
+                                                 "fallthrough",
+                                                 "flatten",
+                                                 "format",
+                                                 "format_arg",
+                                                 "gnu",
+                                                 "gnu_inline",
+                                                 "hot",
+                                                 "leaf",
+                                                 "malloc",
+                                                 "may_alias",
+                                                 "maybe_unused",
+                                                 "mode",
+                                                 "noclone",
+                                                 "nodiscard",
+                                                 "noinline",
+                                                 "noipa",
+                                                 "nonnull",
+                                                 "nonstring",
+                                                 "noreturn",
+                                                 "_Noreturn",
+                                                 "nothrow",
+                                                 "packed",
+                                                 "pure",
+                                                 "reproducible",
+                                                 "returns_nonnull",
+                                                 "returns_twice",
+                                                 "scalar_storage_order",
+                                                 "sentinel",
+                                                 "transparent_union",
+                                                 "unavailable",
+                                                 "unsequenced",
+                                                 "unused",
+                                                 "used",
+                                                 "vector_size",
+                                                 "visibility",
+                                                 "volatile",
+                                                 "warn_if_not_aligned",
+                                                 "warn_unused_result",
+                                                 "warning",
+                                                 "weak",
+                                                 NULL};
 
-static const char *const system_pragmas[] = {"GCC target", "GCC push_options", "GCC pop_options",
-                                             NULL};
+/* The rest tells the compiler, the assembler or the linker something that others are not told. Those
+ * of other compilers are passed over by ours. */
+static const char *const allowed_pragmas[] = {"STDC",
+                                              "GCC diagnostic",
+                                              "GCC error",
+                                              "GCC ivdep",
+                                              "GCC novector",
+                                              "GCC poison",
+                                              "GCC unroll",
+                                              "GCC warning",
+                                              "acc",
+                                              "clang",
+                                              "comment",
+                                              "endregion",
+                                              "mark",
+                                              "message",
+                                              "omp",
+                                              "once",
+                                              "pack",
+                                              "pop_macro",
+                                              "push_macro",
+                                              "region",
+                                              "scalar_storage_order",
+                                              "warning",
+                                              NULL};
+
+static const char *const system_pragmas[] = {"GCC target",      "GCC push_options",
+                                             "GCC pop_options", "GCC system_header",
+                                             "GCC visibility",  NULL};
 
 /* Templates in gcc's headers of intrinsics, which <immintrin.h> brings along. */
 static const char *const system_templates[] = {
@@ -240,34 +319,44 @@ static void follow_marker(struct reader *r, struct slice line)
     r->line = number - 1; /* the end of this line counts one */
 }
 
-static void check_pragma(struct reader *r, struct slice line)
+static bool is_pragma_of(struct slice line, const char *const *list)
 {
-    for (const char *const *pragma = forbidden_pragmas; *pragma; pragma++) {
-        size_t length = strlen(*pragma);
-        if (!begins(line, *pragma) || (line.count > length && is_name_byte(line.at[length])))
-            continue;
-        struct slice found = {line.at, length};
-        if (r->is_system && is_listed(found, system_pragmas))
-            return;
-        refuse_here(r, &forbidden_pragma, found,
-                    "this pragma is not allowed; all are compiled with the same options.",
-                    "este pragma no está permitido; todos se compilan con las mismas opciones.");
+    for (; *list; list++) {
+        size_t length = strlen(*list);
+        if (begins(line, *list) && (line.count == length || !is_name_byte(line.at[length])))
+            return true;
     }
+    return false;
 }
 
+static void check_pragma(struct reader *r, struct slice line)
+{
+    if (!line.count || is_pragma_of(line, allowed_pragmas) ||
+        (r->is_system && is_pragma_of(line, system_pragmas)))
+        return;
+    refuse_here(r, &forbidden_pragma, line,
+                "this pragma is not allowed; all are compiled with the same options.",
+                "este pragma no está permitido; todos se compilan con las mismas opciones.");
+}
+
+/* After preprocessing nothing else begins with # than its own markers and pragmas; the text of an
+ * #ident goes to the assembler. */
 static void read_directive(struct reader *r)
 {
     struct slice line = rest_of_line(r);
     line.at++;
     line.count--;
     skip_blanks(&line);
-    if (begins(line, "pragma")) {
+    if (begins(line, "pragma") && !(line.count > 6 && is_name_byte(line.at[6]))) {
         line.at += strlen("pragma");
         line.count -= strlen("pragma");
         skip_blanks(&line);
         check_pragma(r, line);
     } else if (line.count && *line.at >= '0' && *line.at <= '9') {
         follow_marker(r, line);
+    } else if (line.count) {
+        refuse_here(r, &forbidden_directive, line, "this directive is not allowed.",
+                    "esta directiva no está permitida.");
     }
 }
 
@@ -332,9 +421,11 @@ static bool is_punctuation(struct token token, char c)
 static void check_attribute(struct reader *r, struct slice name)
 {
     struct slice bare = without_underscores(name);
-    if (r->is_system && is_listed(bare, system_attributes))
-        return;
-    if (is_listed(bare, forbidden_attributes) || begins(bare, "no_sanitize"))
+    bool is_refused =
+        r->is_system ? !is_listed(bare, system_attributes) &&
+                           (is_listed(bare, forbidden_attributes) || begins(bare, "no_sanitize"))
+                     : !is_listed(bare, allowed_attributes);
+    if (is_refused)
         refuse_here(r, &forbidden_attribute, name, "this attribute is not allowed.",
                     "este atributo no está permitido.");
 }

@@ -3,12 +3,13 @@
  *
  * Refused:
  *   - inline assembly, at file scope, in functions, and as register or symbol names
- *   - attributes constructor, destructor, naked, ifunc, target_clones, section, symver, alias,
- *     weakref, no_sanitize and its kin, optimize, target; in either syntax
- *   - pragmas GCC optimize, target, push_options, dependency, pch_preprocess; redefine_extname,
- * weak
- *   - #line and hand-made line markers; #include by absolute or parent paths, also where <> leads
- * out of /usr/include and the compiler's own headers
+ *   - attributes that are not on the list of harmless ones, in either syntax (constructor, naked,
+ * ifunc, section, alias, no_sanitize, optimize, target, copy ...)
+ *   - pragmas that are not on the list of harmless ones (GCC optimize, target, redefine_extname ...)
+ *   - any other line that begins with # but the preprocessor's markers; #line with another name;
+ * markers made by hand are found in the source itself (directives.h)
+ *   - #include by absolute or parent paths, also where <> leads out of the folders that the compiler
+ * itself searches
  *   - raw strings, which are not C and would be read differently here and by the compiler
  * Intrinsics (__builtin_ia32_..., <immintrin.h>) are allowed.
  *
@@ -35,7 +36,7 @@ struct policy {
  * public_folder  folder of the public header as given to gcc's -I, when it is absolute; else NULL
  * policy         zeroed and filled
  * Cost: one pass. Causes: inline-assembly, forbidden-attribute, forbidden-pragma, forbidden-line,
- * forbidden-include, raw-string. */
+ * forbidden-directive, forbidden-include, raw-string. */
 void policy_check(const char *text, size_t bytes, const char *public_folder, struct policy *policy);
 
 #endif

@@ -4,6 +4,7 @@
 #include "graders/engine/build/screen.h"
 
 #include "graders/engine/build/instruction.h"
+#include "graders/engine/build/names.h"
 
 #include <elf.h>
 #include <stdlib.h>
@@ -23,6 +24,8 @@ static const struct cause forbidden_section = {"forbidden-section",
 static const struct cause static_data = {"static-data", {"static data", "datos estáticos"}};
 static const struct cause forbidden_symbol = {"forbidden-symbol",
                                               {"forbidden symbol", "símbolo no permitido"}};
+static const struct cause unknown_symbol = {"unknown-symbol",
+                                            {"unknown name", "nombre desconocido"}};
 static const struct cause sanitizer_symbol = {"sanitizer-symbol",
                                               {"symbol of a tool", "símbolo de una herramienta"}};
 static const struct cause indirect_function = {"indirect-function",
@@ -85,54 +88,6 @@ static const char *const allowed_section_prefixes[] = {
 
 static const char *const constructor_prefixes[] = {".init",  ".fini",  ".preinit_array",
                                                    ".ctors", ".dtors", NULL};
-
-static const char *const forbidden_symbols[] = {"mmap",
-                                                "mmap64",
-                                                "munmap",
-                                                "mremap",
-                                                "mprotect",
-                                                "pkey_mprotect",
-                                                "madvise",
-                                                "brk",
-                                                "sbrk",
-                                                "syscall",
-                                                "dlopen",
-                                                "dlmopen",
-                                                "dlsym",
-                                                "dlvsym",
-                                                "environ",
-                                                "getcontext",
-                                                "setcontext",
-                                                "makecontext",
-                                                "swapcontext",
-                                                "pthread_create",
-                                                "thrd_create",
-                                                "clone",
-                                                "__clone",
-                                                "clone3",
-                                                "fexecve",
-                                                "posix_spawn",
-                                                "posix_spawnp",
-                                                "system",
-                                                "popen",
-                                                "wordexp",
-                                                "pvalloc",
-                                                "__malloc_hook",
-                                                "__realloc_hook",
-                                                "__free_hook",
-                                                "__memalign_hook",
-                                                "__morecore",
-                                                "__after_morecore_hook",
-                                                "__malloc_initialize_hook",
-                                                "mallopt",
-                                                "_start",
-                                                "_init",
-                                                "_fini",
-                                                NULL};
-
-static const char *const forbidden_symbol_prefixes[] = {
-    "exec",      "__exec", "__wrap_",  "__real_",    "__libc_", "__malloc_", "_dl_",      "__dl_",
-    "__environ", "__mmap", "__munmap", "__mprotect", "__sbrk",  "__brk",     "__syscall", NULL};
 
 static const char *const sanitizer_prefixes[] = {
     "__asan_",   "__ubsan_",     "__lsan_",        "__tsan_",         "__msan_",
@@ -405,21 +360,53 @@ static int check_sections(struct object *o)
 
 /* ---------------------------------------------------------------- symbols */
 
-static int check_undefined(struct object *o, const char *name)
+static int check_tool_name(struct object *o, const char *name)
 {
-    if (is_listed(name, o->rules->given))
+    bool is_made = o->rules->sanitized && (is_listed(name, made_by_sanitizers) ||
+                                           begins_as_listed(name, made_by_sanitizers_prefixes));
+    if (is_made)
         return 0;
-    if (is_listed(name, forbidden_symbols) || begins_as_listed(name, forbidden_symbol_prefixes))
+    return refuse(&o->screen->refusal, &sanitizer_symbol,
+                  "The code uses %s, which belongs to the tools that check it.",
+                  "El código usa %s, que pertenece a las herramientas que lo revisan.",
+                  shown(o, name));
+}
+
+/* A name that is not there is then no error: it tells what is beside the code, the tools too. */
+static int refuse_weak(struct object *o, const char *name)
+{
+    return refuse(&o->screen->refusal, &forbidden_symbol,
+                  "The code names %s weakly (`weak`) and does not define it; that is not allowed.",
+                  "El código nombra %s de forma débil (`weak`) y no lo define; no está permitido.",
+                  shown(o, name));
+}
+
+static int refuse_name(struct object *o, const char *name)
+{
+    if (name_is_forbidden(name))
         return refuse(&o->screen->refusal, &forbidden_symbol,
                       "The code uses %s, which is not allowed here.",
                       "El código usa %s, que aquí no está permitido.", shown(o, name));
-    bool is_made = o->rules->sanitized && (is_listed(name, made_by_sanitizers) ||
-                                           begins_as_listed(name, made_by_sanitizers_prefixes));
-    if (begins_as_listed(name, sanitizer_prefixes) && !is_made)
-        return refuse(&o->screen->refusal, &sanitizer_symbol,
-                      "The code uses %s, which belongs to the tools that check it.",
-                      "El código usa %s, que pertenece a las herramientas que lo revisan.",
-                      shown(o, name));
+    return refuse(
+        &o->screen->refusal, &unknown_symbol,
+        "The code uses %s, which it does not define, and which is not among the functions "
+        "of C17 and POSIX that are allowed here.",
+        "El código usa %s, que no define y que no está entre las funciones de C17 y POSIX "
+        "que aquí se permiten.",
+        shown(o, name));
+}
+
+static int check_undefined(struct object *o, const char *name, const Elf64_Sym *symbol)
+{
+    const bool is_of_tool = begins_as_listed(name, sanitizer_prefixes);
+    const bool is_given = is_listed(name, o->rules->functions) || /* missed further down */
+                          is_listed(name, o->rules->given);
+    if (is_of_tool && check_tool_name(o, name))
+        return -1;
+    if (ELF64_ST_BIND(symbol->st_info) == STB_WEAK)
+        return refuse_weak(o, name);
+    if (!is_of_tool && !is_given && !name_is_allowed(name))
+        return refuse_name(o, name);
     char *copy = strdup(name);
     if (copy)
         o->screen->undefined[o->screen->undefined_count++] = copy;
@@ -467,7 +454,7 @@ static int check_symbol(struct object *o, const Elf64_Sym *symbol)
         return count_static_data(o, symbol->st_size, true);
     if (!name[0])
         return 0;
-    return symbol->st_shndx == SHN_UNDEF ? check_undefined(o, name)
+    return symbol->st_shndx == SHN_UNDEF ? check_undefined(o, name, symbol)
                                          : check_defined(o, name, symbol);
 }
 
@@ -476,7 +463,7 @@ static int check_sanitized_symbol(struct object *o, const Elf64_Sym *symbol)
     const char *name = string_at(o, &o->symbol_names, symbol->st_name);
     if (!name)
         return refuse_malformed(o, "a symbol's name lies outside the file");
-    return name[0] && symbol->st_shndx == SHN_UNDEF ? check_undefined(o, name) : 0;
+    return name[0] && symbol->st_shndx == SHN_UNDEF ? check_undefined(o, name, symbol) : 0;
 }
 
 static void get_symbol(const struct object *o, uint64_t index, Elf64_Sym *symbol)

@@ -4,9 +4,11 @@
  * the compiler's box could have written them. It refuses
  *   - code that runs before or after main: constructor sections, indirect functions; sections that
  *     are not on a short list; an executable stack
- *   - what would let the code leave the measurement: memory past malloc (mmap, sbrk), threads,
- * other stacks, system calls made directly, names of the sanitizers, the allocation shim's inner
- * names, libc's inner names, requests to valgrind in the code
+ *   - names that are left undefined and stand on no list (names.h), so whatever would let the code
+ * leave the measurement: memory past malloc, threads, other stacks, libc's and the allocation
+ * shim's inner names, names of the sanitizers; and any that is left undefined weakly, which would
+ * tell what stands beside the code
+ *   - system calls made directly, requests to valgrind in the code
  *   - more static data than the limit; a missing or unsuitable function of the exercise; a
  *     definition of one that the exercise gives
  * Calls such as fork, open, socket or exit are not refused here: the box refuses them when they are
@@ -49,7 +51,8 @@ struct screen {
  * returns       0, also when refused (a malformed object is a refusal, "object-malformed");
  *               -1 and *err only when memory runs out
  * Cost: linear in the file. Causes: object-malformed, forbidden-section, constructor,
- * executable-stack, indirect-function, static-data, forbidden-symbol, sanitizer-symbol,
+ * executable-stack, indirect-function, static-data, forbidden-symbol, unknown-symbol
+ * (a name on no list, which may just be missing), sanitizer-symbol,
  * tool-request, system-call-instruction, missing-function, not-a-function, given-function. */
 int screen_object(const void *bytes, size_t count, const struct screen_rules *rules,
                   struct screen *screen, struct error *err) MUST_CHECK;

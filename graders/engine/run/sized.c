@@ -38,12 +38,16 @@ enum {
 /* --------------------------------------------------------------- measuring */
 
 /* A call on a sized input went wrong: no check that rests on it can pass. It is a failure of its
- * own only when every case was right; otherwise the cases tell the mistake, and better. */
+ * own only when every case was right and the sanitizers found nothing; otherwise these tell the
+ * mistake, and better. */
 static void blame_failure(struct trial *trial, int family, int size_index,
                           const struct attempt *failure)
 {
     const struct yardstick *yardstick = trial->yardstick;
-    enum verdict verdict = cases_any_failed(trial) ? VERDICT_NOT_REACHED : failure->verdict;
+    enum verdict found = trial->checks[CHECK_UNDEFINED_BEHAVIOUR].verdict;
+    bool is_told = cases_any_failed(trial) ||
+                   (found == VERDICT_UNDEFINED_BEHAVIOUR && failure->verdict != VERDICT_FLAGGED);
+    enum verdict verdict = is_told ? VERDICT_NOT_REACHED : failure->verdict;
     const struct cause cause = attempt_cause(failure);
     for (int i = 0; i < SIZED_CHECKS; i++) {
         struct check_result *check = &trial->checks[sized_checks[i]];

@@ -11,13 +11,14 @@
 #include <string.h>
 #include <unistd.h>
 
-extern char __bss_start[], end[];
 enum { HIDDEN_BYTES = 16 << 20 };
 
 /* The counts, known by a block of an odd size that was just asked for. */
 static int64_t *find_counts(int64_t bytes)
 {
-    for (int64_t *at = (int64_t *)(uintptr_t)__bss_start; (char *)(at + 6) <= end; at++)
+    size_t room;
+    int64_t *at = (int64_t *)all_data(&room);
+    for (const int64_t *end = at + room / 8; at + 6 <= end; at++)
         if (at[0] == bytes && at[1] == 1 && at[2] == bytes && at[3] == 1)
             return at;
     return NULL;

@@ -9,8 +9,6 @@
 
 #include <string.h>
 
-extern char __bss_start[], end[];
-
 static void find_end(void (**measure_end)(void), unsigned char *behind_call)
 {
     while (*behind_call != 0xe8)
@@ -24,11 +22,12 @@ static void find_end(void (**measure_end)(void), unsigned char *behind_call)
 static void switch_counting(void (*measure_end)(void))
 {
     static int before[1 << 18];
-    size_t bytes = (size_t)(end - __bss_start) / sizeof *before * sizeof *before;
+    size_t bytes;
+    int *now = (int *)all_data(&bytes);
+    bytes = bytes / sizeof *before * sizeof *before;
     bytes = bytes < sizeof before ? bytes : sizeof before;
-    memcpy(before, __bss_start, bytes);
+    memcpy(before, now, bytes);
     measure_end();
-    int *now = (int *)(uintptr_t)__bss_start;
     for (size_t i = 0; i < bytes / sizeof *now; i++)
         if (before[i] == 1 && now[i] == 2)
             now[i] = 1;

