@@ -258,12 +258,16 @@ static bool calls_one_of(const struct parser *parser, const char *const *names)
     return false;
 }
 
-/* Whether the call that was just read is one of those that are added up. */
-static bool is_wanted_call(const struct parser *parser)
+/* Where the call that was just read is added up; NULL: nowhere. */
+static struct callgrind_counts *sum_of_call(const struct parser *parser)
 {
     const struct callgrind_calls *calls = parser->calls;
-    return calls->caller && is_name(parser->functions[parser->current].name, calls->caller) &&
-           calls_one_of(parser, calls->callees);
+    struct slice caller = parser->functions[parser->current].name;
+    if (!calls_one_of(parser, calls->callees))
+        return NULL;
+    if (calls->caller && is_name(caller, calls->caller))
+        return &parser->dump->called;
+    return calls->preparer && is_name(caller, calls->preparer) ? &parser->dump->prepared : NULL;
 }
 
 /* `calls=2 17`: so many calls of the function that was named before, at line 17. */
@@ -292,8 +296,10 @@ static int read_cost(struct parser *parser, struct slice line)
             return fail(parser, "a cost line without a position");
     if (parser->current < 0)
         return fail(parser, "a cost before any function");
-    if (is_call)
-        return is_wanted_call(parser) ? add_counts(parser, line, &parser->dump->called) : 0;
+    if (is_call) {
+        struct callgrind_counts *sum = sum_of_call(parser);
+        return sum ? add_counts(parser, line, sum) : 0;
+    }
     for (int i = 0; i < parser->event_count && next_word(&line, &word); i++) {
         int64_t value;
         if (!take_number(&word, &value))

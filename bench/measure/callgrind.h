@@ -42,9 +42,10 @@ struct callgrind_dump {
     bool has_misses;  /* false: no cache simulation, and all but instructions are 0 */
     struct callgrind_counts counts; /* all that was collected */
     struct callgrind_counts
-        called;           /* of that, what certain calls took; see callgrind_parse_calls */
-    int64_t access_count; /* calls of certain functions; likewise */
-    int hottest_count;    /* functions with instructions of their own, most first */
+        called; /* of that, what certain calls took; see callgrind_parse_calls */
+    struct callgrind_counts prepared; /* what other calls of these took; likewise */
+    int64_t access_count;             /* calls of certain functions; likewise */
+    int hottest_count;                /* functions with instructions of their own, most first */
     struct callgrind_function hottest[CALLGRIND_HOTTEST];
 };
 
@@ -62,6 +63,8 @@ struct callgrind_calls {
     const char *caller;           /* NULL: none are added up */
     const char *const *callees;   /* what its calls of these took, with all that they call in turn,
                                      goes to dump->called */
+    const char *preparer;         /* the same calls from this function go to dump->prepared; NULL:
+                                     there is none */
     const char *const *accessors; /* how often these are called, by whatever function, goes to
                                      dump->access_count; NULL: none are counted */
 };

@@ -31,6 +31,7 @@ struct size_family {
     const char *name; /* unique in the exercise; NULL ends a list */
     enum family_shape shape;
     uint32_t changes; /* enum mesh_change: FLIPPED, REVERSED, SCRAMBLED, ADVERSARIAL */
+    bool is_query;    /* of an exercise that builds and is asked: measures the queries */
     bool has_number;  /* of an exercise that gets numbers beside the mesh: these */
     int64_t number[4];
 };

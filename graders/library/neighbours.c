@@ -286,6 +286,14 @@ static int judge_reply(const struct reply *reply, struct judgement *out, struct 
     return failed;
 }
 
+int neighbours_build(const struct polygon_view *faces, struct winged_edge_mesh *we,
+                     struct error *err)
+{
+    const struct polygons polygons = {faces->corners, faces->first_corner, faces->vertex_count,
+                                      faces->face_count};
+    return winged_edge_build(we, &polygons, faces->positions, err);
+}
+
 int32_t neighbours_count(const struct winged_edge_mesh *we, int kind, int32_t element)
 {
     return neighbour_queries[kind].right(we, element, NULL, 0);

@@ -1,6 +1,8 @@
 /* Judging queries for neighbours on a closed mesh: what touches a face, a vertex, an edge.
  *
- *     struct winged_edge_mesh we;   of the input: winged_edge_build
+ *     struct winged_edge_mesh we;
+ *     if (neighbours_build(&task->polygons, &we, err))
+ *         return -1;
  *     const struct neighbour_asked asked = {&task->polygons, &we, EDGES_OF_FACE, 3, capacity,
  *                                           returned, listed, listed_count};
  *     if (neighbours_judge(&asked, out, err))
@@ -50,6 +52,11 @@ struct neighbour_asked {
     const int32_t *listed;      /* what was written, as far as it was returned and fits */
     int32_t listed_count;
 };
+
+/* Builds the winged edges of a closed mesh; the caller releases them (winged_edge_release). Returns 0,
+ * or -1 and *err. */
+int neighbours_build(const struct polygon_view *faces, struct winged_edge_mesh *we,
+                     struct error *err) MUST_CHECK;
 
 /* Rejects a wrong answer: says which number is wrong, names the element that was asked for, marks
  * both. Leaves `out` alone when it is right. Returns 0, or -1 and *err. O(n log n) in what is

@@ -83,6 +83,7 @@ static const struct field growth_family_fields[] = {
     {"instructions", NUMBERS, REQUIRED, NULL},
     {"reference_instructions", NUMBERS, REQUIRED, NULL},
     {"fit", RECORD, OPTIONAL, fit_fields},
+    {"allowed", STRING, OPTIONAL, NULL},
     {0}};
 
 static const struct field growth_fields[] = {
@@ -137,10 +138,14 @@ static const struct field quality_fields[] = {
     {"less_is_better", TRUTH, REQUIRED, NULL}, {"worst", NUMBER, REQUIRED, NULL},
     {"bands", RECORDS, REQUIRED, band_fields}, {0}};
 
-static const struct field measures_fields[] = {
-    {"growth", RECORD, OPTIONAL, growth_fields},   {"work", RECORD, OPTIONAL, work_fields},
-    {"accesses", RECORD, OPTIONAL, access_fields}, {"memory", RECORD, OPTIONAL, memory_fields},
-    {"quality", RECORD, OPTIONAL, quality_fields}, {0}};
+static const struct field measures_fields[] = {{"growth", RECORD, OPTIONAL, growth_fields},
+                                               {"work", RECORD, OPTIONAL, work_fields},
+                                               {"accesses", RECORD, OPTIONAL, access_fields},
+                                               {"memory", RECORD, OPTIONAL, memory_fields},
+                                               {"query_work", RECORD, OPTIONAL, work_fields},
+                                               {"query_memory", RECORD, OPTIONAL, memory_fields},
+                                               {"quality", RECORD, OPTIONAL, quality_fields},
+                                               {0}};
 
 static const struct field build_fields[] = {{"ok", TRUTH, REQUIRED, NULL},
                                             {"cause", STRING, REQUIRED, NULL},
@@ -484,6 +489,8 @@ int result_check(const json_t *result, struct error *err)
             0 ||
         check_families(json_object_get(measures, "accesses"), access_keys, "measures.accesses",
                        err) != 0 ||
+        check_families(json_object_get(measures, "query_memory"), memory_keys,
+                       "measures.query_memory", err) != 0 ||
         check_families(json_object_get(measures, "memory"), memory_keys, "measures.memory", err) !=
             0)
         return -1;

@@ -102,7 +102,8 @@ static void write_family_title(struct html *page, const json_t *family, const js
         html_leaf(page, "b", NULL, result_text(fit, "class"));
     }
     html_both(page, (struct phrase){"; allowed: ", "; se permite: "});
-    html_leaf(page, "b", NULL, result_text(growth, "allowed"));
+    const json_t *of = json_object_get(family, "allowed") ? family : growth; /* of queries: own */
+    html_leaf(page, "b", NULL, result_text(of, "allowed"));
     double excess = result_number(fit, "excess_percent");
     if (excess >= 1 && is_above(result_text(fit, "class"), result_text(growth, "allowed"))) {
         struct message share;
@@ -196,9 +197,8 @@ static void write_bar(struct html *page, const char *class_name, struct phrase l
 }
 
 /* Which input the measure is of: "mesh, n = 27648". */
-static void write_memory_input(struct html *page, const json_t *result)
+static void write_memory_input(struct html *page, const json_t *memory)
 {
-    const json_t *memory = json_object_get(json_object_get(result, "measures"), "memory");
     const json_t *decides = json_array_get(json_object_get(memory, "families"), 0);
     size_t size_count = json_array_size(json_object_get(decides, "peak_bytes"));
     if (size_count > 0 &&
@@ -226,18 +226,19 @@ static void write_memory_chart(struct html *page, const json_t *result)
     json_decref(scene);
 }
 
-static void write_memory(struct html *page, const json_t *result)
+/* `result` has the chart of building; NULL: there is none. */
+static void write_memory(struct html *page, const json_t *memory, const json_t *result,
+                         struct phrase title)
 {
-    const json_t *memory = json_object_get(json_object_get(result, "measures"), "memory");
     double own = result_number(memory, "peak_bytes");
     double reference = result_number(memory, "reference_peak_bytes");
     double limit = reference * result_number(memory, "band");
     double most = own > limit ? own : limit;
     html_open(page, "div");
     html_attribute(page, "class", "measure");
-    html_both_leaf(page, "h3", NULL, (struct phrase){"Peak memory", "Memoria máxima"});
+    html_both_leaf(page, "h3", NULL, title);
     html_open(page, "p");
-    write_memory_input(page, result);
+    write_memory_input(page, memory);
     html_format(page, ": %.2f ", result_number(memory, "ratio"));
     html_both(page, (struct phrase){"times the reference; allowed: ",
                                     "veces la referencia; se permiten: "});
@@ -259,16 +260,17 @@ static void write_memory(struct html *page, const json_t *result)
     write_bar(page, "limit", (struct phrase){"allowed", "permitida"}, limit, most);
     html_close(page, "tbody");
     html_close(page, "table");
-    write_memory_chart(page, result);
+    if (result)
+        write_memory_chart(page, result);
     html_close(page, "div");
     html_close(page, "div");
 }
 
-static void write_work(struct html *page, const json_t *work)
+static void write_work(struct html *page, const json_t *work, struct phrase title)
 {
     html_open(page, "p");
     html_attribute(page, "class", "work");
-    html_both(page, (struct phrase){"Work at the largest size: ", "Trabajo en el tamaño mayor: "});
+    html_both(page, title);
     html_format(page, "%.2f ", result_number(work, "ratio"));
     html_both(page, (struct phrase){"times the reference; allowed: ",
                                     "veces la referencia; se permiten: "});
@@ -356,6 +358,8 @@ void page_measures(struct html *page, const json_t *result)
     const json_t *memory = json_object_get(measures, "memory");
     const json_t *work = json_object_get(measures, "work");
     const json_t *accesses = json_object_get(measures, "accesses");
+    const json_t *query_work = json_object_get(measures, "query_work");
+    const json_t *query_memory = json_object_get(measures, "query_memory");
     if (!has_growth && !memory && !work && !accesses)
         return;
     html_open(page, "details");
@@ -365,10 +369,18 @@ void page_measures(struct html *page, const json_t *result)
     if (has_growth)
         write_growth(page, result);
     if (work)
-        write_work(page, work);
+        write_work(page, work,
+                   (struct phrase){"Work at the largest size: ", "Trabajo en el tamaño mayor: "});
+    if (query_work)
+        write_work(page, query_work,
+                   (struct phrase){"Work of queries at the largest size: ",
+                                   "Trabajo de las consultas en el tamaño mayor: "});
     if (accesses)
         write_accesses(page, result, accesses);
     if (memory)
-        write_memory(page, result);
+        write_memory(page, memory, result, (struct phrase){"Peak memory", "Memoria máxima"});
+    if (query_memory)
+        write_memory(page, query_memory, NULL,
+                     (struct phrase){"Peak memory of queries", "Memoria máxima de las consultas"});
     html_close(page, "details");
 }

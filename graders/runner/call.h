@@ -29,6 +29,14 @@ void measure_begin(void);
 /* ... to here. Exactly one pair in a call of run_call. */
 void measure_end(void);
 
+/* An exercise that builds a structure and is then asked queries has both measured apart: a call is
+ * either a building or a round of queries (the case's number says which). For queries the runner
+ * builds first, in a function that is called run_prepare and is not inlined, between these two: that
+ * is not the call, whose measures begin afterwards. What was built is asked, and released, in that
+ * function too, after measure_end(). */
+void prepare_begin(void);
+void prepare_end(void);
+
 /* An exercise may give the student functions to ask for what they need, element by element. Its
  * header declares them, exercise.json lists them as "given", and the file of run_call defines them,
  * the only functions in it beside run_call that are not static: these are what a submission can

@@ -49,6 +49,7 @@ static unsigned char *answer_region;
 static uintptr_t stack_top;
 static bool said_out_of_memory;
 static int64_t access_count;
+static int64_t prepared_live_bytes; /* of what was prepared: not the call's, though it lives on */
 static char output_buffer[1 << 16];
 static unsigned char handler_stack[1 << 16];
 
@@ -124,6 +125,33 @@ static void pass_measurement(int from, int to)
     measurement = to;
 }
 
+static struct shim_counts of_call; /* while something is prepared or asked after the call */
+
+void prepare_begin(void)
+{
+    control->phase = PHASE_CALL;
+    of_call = shim_counts;
+    shim_begin(fixed.heap_limit_bytes, 0);
+}
+
+void prepare_end(void)
+{
+    struct shim_counts prepared = shim_counts;
+    shim_end();
+    if (prepared.peak_bytes > control->prepared_bytes)
+        control->prepared_bytes = prepared.peak_bytes;
+    control->prepared_count += prepared.allocation_count;
+    if (measurement == MEASURED) {
+        shim_counts = of_call;
+        shim_counts.live_bytes = prepared.live_bytes;
+        shim_counts.live_blocks = prepared.live_blocks;
+        shim_counts.bad_free_count += prepared.bad_free_count;
+        control->phase = PHASE_ANSWER;
+    } else {
+        prepared_live_bytes = prepared.live_bytes;
+    }
+}
+
 void measure_begin(void)
 {
     pass_measurement(NOT_MEASURED, MEASURING);
@@ -140,7 +168,7 @@ void measure_end(void)
     shim_end();
     if (fixed.mode & MODE_PAINT_STACK)
         control->stack_bytes = painted_over_bytes();
-    control->heap_held_bytes = shim_counts.live_bytes;
+    control->heap_held_bytes = shim_counts.live_bytes - prepared_live_bytes;
     control->access_count = access_count;
     control->phase = PHASE_ANSWER;
 }
@@ -199,6 +227,7 @@ static void forget_last_call(void)
     control->out_of_memory = 0;
     control->stack_bytes = 0;
     control->access_count = 0;
+    control->prepared_bytes = control->prepared_count = prepared_live_bytes = 0;
     control->refused_count = 0;
     control->tool_errors = 0;
     control->fault = FAULT_NONE;
@@ -235,7 +264,7 @@ static void do_call(void)
     fflush(stdout);
     ask_memcheck(&answer);
     counted_call_ends();
-    control->heap_peak_bytes = shim_counts.peak_bytes;
+    control->heap_peak_bytes = shim_counts.peak_bytes - prepared_live_bytes;
     control->heap_left_bytes = shim_counts.live_bytes;
     control->leaked_blocks = shim_counts.live_blocks;
     control->allocation_count = shim_counts.allocation_count;

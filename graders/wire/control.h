@@ -78,6 +78,8 @@ struct control {
     int64_t allocation_count;
     int64_t refused_count;  /* allocations refused because of heap_limit_bytes */
     int64_t bad_free_count; /* free or realloc of a pointer that is no live block */
+    int64_t prepared_bytes; /* most bytes live at once in what was prepared before the call */
+    int64_t prepared_count; /* allocations of that */
     int64_t access_count;   /* calls of functions that the exercise gives, during the call */
     int64_t stack_bytes;    /* with MODE_PAINT_STACK */
     int64_t tool_errors;    /* with MODE_MEMCHECK: errors so far */

@@ -181,7 +181,8 @@ static int try_solution(struct yardstick *yardstick, const struct base *base, in
         return -1;
     int result = measure(yardstick, text, &trial, err);
     if (result == 0)
-        result = growth_class_find(yardstick->inputs.exercise->growth_allowed, &allowed);
+        result =
+            growth_class_find(yardstick->inputs.exercise->growth_allowed[PART_BUILD], &allowed);
     if (result == 0) {
         enum verdict verdict = trial.checks[CHECK_GROWTH].verdict;
         bool fails = verdict == VERDICT_GROWS_TOO_FAST, must_fail = extra->kind != EXTRA_NONE;

@@ -72,8 +72,8 @@ static void the_calls_that_are_asked_for_are_added_up(void **state)
     (void)state;
     static const char *const functions[] = {"edge_table_any", "not_there", NULL};
     static const char *const others[] = {"calloc", NULL};
-    static const struct callgrind_calls of_main = {"main", functions, NULL};
-    static const struct callgrind_calls of_answer = {"edge_table_any", others, NULL};
+    static const struct callgrind_calls of_main = {"main", functions, NULL, NULL};
+    static const struct callgrind_calls of_answer = {"edge_table_any", others, "main", NULL};
     char *text = joined(header, body,
                         "fn=(222)\n30 1\ncfn=(230)\ncalls=2 3\n+1 100 1 1\n"
                         "cfn=(232)\ncalls=1 3\n+1 5000\n");
@@ -96,7 +96,7 @@ static void calls_of_accessors_are_counted_whoever_makes_them(void **state)
 {
     (void)state;
     static const char *const accessors[] = {"calloc", "not_there", NULL};
-    static const struct callgrind_calls calls = {NULL, NULL, accessors};
+    static const struct callgrind_calls calls = {NULL, NULL, NULL, accessors};
     char *text = joined(header, body, "fn=(222)\n30 1\ncfn=(232)\ncalls=41 3\n+1 5000\n");
     struct callgrind_dump dump;
     assert_int_equal(callgrind_parse_calls(text, strlen(text), &calls, &dump, NULL), 0);

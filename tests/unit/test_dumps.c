@@ -64,7 +64,7 @@ static void put_dump(const struct scene *scene, const char *name, int part, cons
 
 static int take(struct scene *scene, const char *trigger, struct callgrind_dump *dump)
 {
-    static const struct callgrind_calls calls = {"g", callees, callees};
+    static const struct callgrind_calls calls = {"g", callees, NULL, callees};
     return dumps_take(&scene->dumps, trigger, &calls, dump, NULL);
 }
 

@@ -24,6 +24,9 @@ static const struct {
                                    {"No undefined behaviour", "Sin comportamiento indefinido"}},
     [CHECK_LEAK] = {"leak", {"Frees what it allocates", "Libera lo que reserva"}},
     [CHECK_GROWTH] = {"growth", {"Growth of the work", "Crecimiento del trabajo"}},
+    [CHECK_QUERY_GROWTH] = {"query-growth", {"Growth of queries", "Crecimiento de las consultas"}},
+    [CHECK_QUERY_WORK] = {"query-work", {"Work of queries", "Trabajo de las consultas"}},
+    [CHECK_QUERY_MEMORY] = {"query-memory", {"Memory of queries", "Memoria de las consultas"}},
     [CHECK_WORK] = {"work", {"Amount of work", "Cantidad de trabajo"}},
     [CHECK_ACCESSES] = {"accesses", {"Number of accesses", "Número de accesos"}},
     [CHECK_MEMORY] = {"memory", {"Peak of memory", "Máximo de memoria"}},
@@ -223,23 +226,42 @@ static json_t *read_check(struct place *place, const json_t *root, struct exerci
     return entry;
 }
 
+/* What queries are held to, when they are measured apart. */
+static void read_query_checks(struct place *place, const json_t *root, struct exercise *exercise)
+{
+    json_t *growth = read_check(place, root, exercise, CHECK_QUERY_GROWTH, " points allowed ");
+    json_t *work = read_check(place, root, exercise, CHECK_QUERY_WORK, " points band ");
+    json_t *memory = read_check(place, root, exercise, CHECK_QUERY_MEMORY, " points band ");
+    if (growth)
+        get_text(place, growth, "allowed", exercise->growth_allowed[PART_QUERY],
+                 sizeof exercise->growth_allowed[PART_QUERY]);
+    if (work)
+        exercise->work_band[PART_QUERY] = get_number(place, work, "band", 1, 1e6);
+    if (memory)
+        exercise->memory_band[PART_QUERY] = get_number(place, memory, "band", 1, 1e6);
+    if ((work || memory) && !growth)
+        complain(place, "query-work", "\"query-growth\" too: all are measured at its sizes");
+    if (growth && !exercise->checked[CHECK_GROWTH])
+        complain(place, "query-growth", "\"growth\" too: of what is built before the queries");
+}
+
 static void read_checks(struct place *place, const json_t *root, struct exercise *exercise)
 {
     json_t *growth = read_check(place, root, exercise, CHECK_GROWTH,
                                 " points allowed elements first_size doublings ");
     if (growth) {
-        get_text(place, growth, "allowed", exercise->growth_allowed,
-                 sizeof exercise->growth_allowed);
+        get_text(place, growth, "allowed", exercise->growth_allowed[PART_BUILD],
+                 sizeof exercise->growth_allowed[PART_BUILD]);
         get_phrase(place, growth, "elements", &exercise->growth_elements);
         exercise->growth_first_size = (int64_t)get_number(place, growth, "first_size", 1, 1e6);
         exercise->growth_doublings = (int)get_number(place, growth, "doublings", 4, 12);
     }
     json_t *work = read_check(place, root, exercise, CHECK_WORK, " points band ");
     if (work)
-        exercise->work_band = get_number(place, work, "band", 1, 1e6);
+        exercise->work_band[PART_BUILD] = get_number(place, work, "band", 1, 1e6);
     json_t *memory = read_check(place, root, exercise, CHECK_MEMORY, " points band ");
     if (memory)
-        exercise->memory_band = get_number(place, memory, "band", 1, 1e6);
+        exercise->memory_band[PART_BUILD] = get_number(place, memory, "band", 1, 1e6);
     json_t *accesses = read_check(place, root, exercise, CHECK_ACCESSES, " points band ");
     if (accesses)
         exercise->access_band = get_number(place, accesses, "band", 1, 1e6);
@@ -248,6 +270,7 @@ static void read_checks(struct place *place, const json_t *root, struct exercise
     if ((work || memory || accesses) && !growth)
         complain(place, work || memory ? "work" : "accesses",
                  "\"growth\" too: all of these are measured at its sizes");
+    read_query_checks(place, root, exercise);
     read_check(place, root, exercise, CHECK_LEAK, " points ");
     read_check(place, root, exercise, CHECK_UNDEFINED_BEHAVIOUR, " points ");
     read_check(place, root, exercise, CHECK_ALLOCATION_FAILURE, " points ");
@@ -255,9 +278,11 @@ static void read_checks(struct place *place, const json_t *root, struct exercise
 
 static void read_root(struct place *place, json_t *root, struct exercise *exercise)
 {
-    refuse_unknown_keys(place, root,
-                        " name group order problem title functions given classes growth work "
-                        "accesses memory leak undefined-behaviour allocation-failure limits ");
+    refuse_unknown_keys(
+        place, root,
+        " name group order problem title functions given classes growth work query-growth "
+        "query-work query-memory accesses memory leak undefined-behaviour allocation-failure "
+        "limits ");
     get_text(place, root, "name", exercise->name, sizeof exercise->name);
     get_text(place, root, "group", exercise->group, sizeof exercise->group);
     get_text(place, root, "problem", exercise->problem, sizeof exercise->problem);

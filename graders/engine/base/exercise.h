@@ -24,14 +24,21 @@ struct exercise_class {
     double points;
 };
 
+/* What is measured on sized inputs. An exercise that builds a structure and then asks it queries has
+ * both measured apart; any other has only the first. */
+enum exercise_part { PART_BUILD, PART_QUERY, PART_COUNT };
+
 /* What is checked beside the answers. */
 enum check_kind {
     CHECK_UNDEFINED_BEHAVIOUR,
     CHECK_LEAK,
     CHECK_GROWTH,
+    CHECK_QUERY_GROWTH,
     CHECK_WORK,
+    CHECK_QUERY_WORK,
     CHECK_ACCESSES,
     CHECK_MEMORY,
+    CHECK_QUERY_MEMORY,
     CHECK_ALLOCATION_FAILURE,
     CHECK_COUNT
 };
@@ -48,11 +55,12 @@ struct exercise {
     int class_count;
     bool checked[CHECK_COUNT];
     double check_points[CHECK_COUNT];
-    char growth_allowed[16];        /* "n lg n" */
-    struct message growth_elements; /* what its sizes count: "triangles" */
+    char growth_allowed[PART_COUNT][16]; /* "n lg n" */
+    struct message growth_elements;      /* what its sizes count: "triangles" */
     int64_t growth_first_size;
-    int growth_doublings;                       /* sizes: first, 2 first, ... 2^doublings first */
-    double work_band, memory_band, access_band; /* multiples of the reference */
+    int growth_doublings; /* sizes: first, 2 first, ... 2^doublings first */
+    double work_band[PART_COUNT], memory_band[PART_COUNT]; /* multiples of the reference */
+    double access_band;
     int64_t memory_limit_bytes;
     double max_score;
     char folder[PATH_MAX]; /* exercises/<group>/<name>, absolute */

@@ -34,6 +34,9 @@ static json_t *family_json(const struct trial *trial, int family)
                              "instructions", mine, "reference_instructions", theirs);
     if (found->fitted)
         json_object_set_new(json, "fit", fit_json(&found->fit));
+    if (yardstick->inputs.judge->families[family].is_query)
+        json_object_set_new(json, "allowed",
+                            json_string(yardstick->inputs.exercise->growth_allowed[PART_QUERY]));
     return json;
 }
 
@@ -44,9 +47,9 @@ static json_t *growth_json(const struct trial *trial)
     for (int family = 0; family < trial->yardstick->inputs.family_count; family++)
         if (trial->families[family].size_count > 0)
             json_array_append_new(families, family_json(trial, family));
-    return json_pack("{s:s, s:{s:s, s:s}, s:o}", "allowed", exercise->growth_allowed, "elements",
-                     "en", exercise->growth_elements.en, "es", exercise->growth_elements.es,
-                     "families", families);
+    return json_pack("{s:s, s:{s:s, s:s}, s:o}", "allowed", exercise->growth_allowed[PART_BUILD],
+                     "elements", "en", exercise->growth_elements.en, "es",
+                     exercise->growth_elements.es, "families", families);
 }
 
 static json_t *family_memory_json(const struct trial *trial, int family)
@@ -64,22 +67,23 @@ static json_t *family_memory_json(const struct trial *trial, int family)
                      "peak_bytes", mine, "reference_peak_bytes", theirs);
 }
 
-static json_t *memory_json(const struct trial *trial)
+static json_t *memory_json(const struct trial *trial, enum exercise_part part)
 {
+    const struct part_result *result = &trial->parts[part];
     const struct yardstick *yardstick = trial->yardstick;
-    int at = trial->memory_size, family = trial->memory_family;
+    int at = result->memory_size, family = result->memory_family;
     json_t *families = json_array();
     json_array_append_new(families, family_memory_json(trial, family)); /* what decides is first */
     for (int i = 0; i < yardstick->inputs.family_count; i++)
-        if (i != family)
+        if (i != family && yardstick->inputs.judge->families[i].is_query == (part == PART_QUERY))
             json_array_append_new(families, family_memory_json(trial, i));
     const struct cost *mine = &trial->families[family].costs[at];
     const struct cost *theirs = &yardstick->costs[family][at];
     return json_pack("{s:o, s:I, s:I, s:I, s:o, s:o, s:I, s:I, s:I}", "families", families, "size",
                      (json_int_t)yardstick->inputs.told_sizes[at], "peak_bytes",
                      (json_int_t)mine->heap_peak_bytes, "reference_peak_bytes",
-                     (json_int_t)theirs->heap_peak_bytes, "ratio", rounded(trial->memory_ratio),
-                     "band", rounded(yardstick->inputs.exercise->memory_band), "allocations",
+                     (json_int_t)theirs->heap_peak_bytes, "ratio", rounded(result->memory_ratio),
+                     "band", rounded(yardstick->inputs.exercise->memory_band[part]), "allocations",
                      (json_int_t)mine->allocation_count, "stack_bytes",
                      (json_int_t)mine->stack_bytes, "static_bytes",
                      (json_int_t)trial->build.static_bytes);
@@ -175,21 +179,30 @@ static json_t *accesses_json(const struct trial *trial)
                      rounded(trial->yardstick->inputs.exercise->access_band), "families", families);
 }
 
+static json_t *work_json(const struct trial *trial, enum exercise_part part)
+{
+    const struct part_result *result = &trial->parts[part];
+    return json_pack("{s:o, s:o, s:o, s:o}", "ratio", rounded(result->work_ratio), "band",
+                     rounded(trial->yardstick->inputs.exercise->work_band[part]),
+                     "instruction_ratio", rounded(result->instruction_ratio), "miss_ratio",
+                     rounded(result->miss_ratio));
+}
+
 json_t *measures_json(const struct trial *trial)
 {
+    static const char *const work_keys[] = {"work", "query_work"};
+    static const char *const memory_keys[] = {"memory", "query_memory"};
     json_t *measures = json_object();
     if (trial->families[0].size_count > 0)
         json_object_set_new(measures, "growth", growth_json(trial));
-    if (trial->work_ratio > 0)
-        json_object_set_new(measures, "work",
-                            json_pack("{s:o, s:o, s:o, s:o}", "ratio", rounded(trial->work_ratio),
-                                      "band", rounded(trial->yardstick->inputs.exercise->work_band),
-                                      "instruction_ratio", rounded(trial->instruction_ratio),
-                                      "miss_ratio", rounded(trial->miss_ratio)));
+    for (int part = 0; part < PART_COUNT; part++) {
+        if (trial->parts[part].work_ratio > 0)
+            json_object_set_new(measures, work_keys[part], work_json(trial, part));
+        if (trial->parts[part].memory_ratio > 0)
+            json_object_set_new(measures, memory_keys[part], memory_json(trial, part));
+    }
     if (trial->access_ratio > 0)
         json_object_set_new(measures, "accesses", accesses_json(trial));
-    if (trial->memory_ratio > 0)
-        json_object_set_new(measures, "memory", memory_json(trial));
     json_t *quality = quality_json(trial);
     if (quality)
         json_object_set_new(measures, "quality", quality);

@@ -97,7 +97,9 @@ static int64_t explained_bytes(const struct measuring *m, const struct control *
                                const struct input *input)
 {
     int64_t heap = possible_heap(m, claims);
-    return heap + heap / 8 + overhead_bytes(heap, claims->allocation_count) +
+    int64_t prepared = possible(claims->prepared_bytes, m->inputs->exercise->memory_limit_bytes);
+    return heap + heap / 8 + overhead_bytes(heap, claims->allocation_count) + prepared +
+           prepared / 8 + overhead_bytes(prepared, claims->prepared_count) +
            possible(claims->stack_bytes, STACK_BYTES_MAX) + m->build->static_bytes +
            (int64_t)input->bytes + (int64_t)input->answer_bound + RESIDENT_SLACK_BYTES;
 }
@@ -149,12 +151,14 @@ static void read_memory(const struct measuring *m, int size_index, struct cost *
 
 /* What the process does around the call is the runner's own, about as much as around the
  * reference's. More than that is the submission's too, whatever way it found to work there; and so
- * is all of it when callgrind lost sight of the call, or knows its function by another name. */
+ * is all of it when callgrind lost sight of the call, or knows its function by another name. What is
+ * built before queries, or asked after building, is counted by itself on other inputs; the witness
+ * of time sees it here too. */
 static void charge(const struct cost *reference, const struct callgrind_dump *dump,
                    struct cost *cost)
 {
     int64_t called = dump->called.instructions;
-    cost->beside_instructions = dump->counts.instructions - called;
+    cost->beside_instructions = dump->counts.instructions - called - dump->prepared.instructions;
     bool is_alone = called > 0 && (!reference || !reference->counted ||
                                    cost->beside_instructions <=
                                        2 * reference->beside_instructions + BESIDE_SLACK);
@@ -168,7 +172,7 @@ static int take_dump(struct measuring *m, const char *trigger, struct callgrind_
 {
     const struct exercise *exercise = m->inputs->exercise;
     const char *functions[EXERCISE_FUNCTIONS + 1] = {NULL}, *given[EXERCISE_GIVEN + 1] = {NULL};
-    const struct callgrind_calls calls = {SERIES_CALLER, functions, given};
+    const struct callgrind_calls calls = {SERIES_CALLER, functions, SERIES_PREPARER, given};
     for (int i = 0; i < exercise->function_count; i++)
         functions[i] = exercise->functions[i];
     for (int i = 0; i < exercise->given_count; i++)

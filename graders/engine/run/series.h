@@ -22,6 +22,7 @@ enum { SERIES_FOUND = 86 };
 /* The runner's function that calls the submission's, the one that callgrind dumps before, and what
  * a dump says that was made by it or by the end of the program. */
 #define SERIES_CALLER "run_call"
+#define SERIES_PREPARER "run_prepare" /* and the one that prepares for that */
 #define SERIES_DUMPER "counted_call_ends"
 #define SERIES_DUMPED_CALL "--dump-before=" SERIES_DUMPER
 #define SERIES_DUMPED_END "Program termination"

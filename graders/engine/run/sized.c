@@ -28,12 +28,24 @@ enum {
     TIME_TO_COUNT = 5          /* see check_counts */
 };
 
-static const enum check_kind sized_checks[] = {CHECK_GROWTH, CHECK_WORK, CHECK_ACCESSES,
-                                               CHECK_MEMORY};
+/* What is judged of each part, at the sizes of its families. */
+static const enum check_kind growth_checks[] = {CHECK_GROWTH, CHECK_QUERY_GROWTH};
+static const enum check_kind work_checks[] = {CHECK_WORK, CHECK_QUERY_WORK};
+static const enum check_kind memory_checks[] = {CHECK_MEMORY, CHECK_QUERY_MEMORY};
+
+static const enum check_kind sized_checks[] = {
+    CHECK_GROWTH,   CHECK_QUERY_GROWTH, CHECK_WORK,         CHECK_QUERY_WORK,
+    CHECK_ACCESSES, CHECK_MEMORY,       CHECK_QUERY_MEMORY,
+};
 enum {
     SIZED_CHECKS = sizeof sized_checks / sizeof sized_checks[0],
-    COUNTED_CHECKS = SIZED_CHECKS - 1 /* all but memory rest on callgrind */
+    COUNTED_CHECKS = SIZED_CHECKS - PART_COUNT /* all but memory rest on callgrind */
 };
+
+static enum exercise_part part_of(const struct trial *trial, int family)
+{
+    return trial->yardstick->inputs.judge->families[family].is_query ? PART_QUERY : PART_BUILD;
+}
 
 /* --------------------------------------------------------------- measuring */
 
@@ -90,7 +102,8 @@ static int measure_memory(struct trial *trial, int family, bool *right, struct e
         blame_failure(trial, run.family, run.size_index, &run.failure);
     if (result == 0 && run.hidden_bytes > 0)
         check_say(
-            &trial->checks[CHECK_MEMORY], VERDICT_FLAGGED, &memory_outside_heap,
+            &trial->checks[memory_checks[part_of(trial, family)]], VERDICT_FLAGGED,
+            &memory_outside_heap,
             "The process grew by %lld bytes more than malloc handed out: a person must "
             "look at it.",
             "El proceso creció %lld bytes más de lo que dio malloc: debe mirarlo una persona.",
@@ -148,12 +161,12 @@ static int fit(struct trial *trial, int family, enum growth_look look, struct er
 {
     const struct exercise *exercise = trial->yardstick->inputs.exercise;
     struct family_result *found = &trial->families[family];
+    const char *allowed_name = exercise->growth_allowed[part_of(trial, family)];
     enum growth_class allowed;
     int64_t sizes[SIZES_MAX], counts[SIZES_MAX];
     int count = 0;
-    if (growth_class_find(exercise->growth_allowed, &allowed) != 0)
-        return error_set(err, "exercise %s: growth: no class \"%s\"", exercise->name,
-                         exercise->growth_allowed);
+    if (growth_class_find(allowed_name, &allowed) != 0)
+        return error_set(err, "exercise %s: growth: no class \"%s\"", exercise->name, allowed_name);
     for (int i = 0; i < found->size_count; i++) {
         if (!found->costs[i].counted)
             continue;
@@ -179,7 +192,8 @@ static void say_growth(struct trial *trial, int family)
     const struct yardstick *yardstick = trial->yardstick;
     const struct family_result *found = &trial->families[family];
     const struct message *elements = &yardstick->inputs.exercise->growth_elements;
-    struct check_result *check = &trial->checks[CHECK_GROWTH];
+    enum exercise_part part = part_of(trial, family);
+    struct check_result *check = &trial->checks[growth_checks[part]];
     struct phrase adjective = class_adjective(found->fit.class);
     const char *class = growth_class_name(found->fit.class);
     long long size = (long long)yardstick->inputs.told_sizes[found->size_count - 1];
@@ -200,7 +214,7 @@ static void say_growth(struct trial *trial, int family)
     message_add(&check->message, " with the inputs %s; at most %s is allowed.",
                 " de las entradas %s; se admite como mucho %s.",
                 judge_family_name(yardstick->inputs.judge, family),
-                yardstick->inputs.exercise->growth_allowed);
+                yardstick->inputs.exercise->growth_allowed[part]);
 }
 
 /* The first size below `count` at which a family is not counted; `count` when there is none. */
@@ -277,33 +291,39 @@ static double memory_ratio_at(const struct trial *trial, int family, int size_in
 }
 
 /* The largest size speaks, and every other where more is taken than the band allows. */
-static void find_memory_ratio(struct trial *trial)
+static void find_memory_ratio(struct trial *trial, enum exercise_part part)
 {
+    struct part_result *found = &trial->parts[part];
+    double band = trial->yardstick->inputs.exercise->memory_band[part];
     const struct inputs *inputs = &trial->yardstick->inputs;
-    trial->memory_size = inputs_beyond(inputs);
-    for (int i = trial->memory_size; i > 0; i--)
+    found->memory_size = inputs_beyond(inputs);
+    for (int i = found->memory_size; i > 0; i--)
         for (int family = 0; family < inputs->family_count; family++) {
             double ratio = memory_ratio_at(trial, family, i);
-            bool speaks = i == inputs_beyond(inputs) || ratio > inputs->exercise->memory_band;
-            if (speaks && ratio > trial->memory_ratio) {
-                trial->memory_ratio = ratio;
-                trial->memory_family = family;
-                trial->memory_size = i;
+            bool speaks = i == inputs_beyond(inputs) || ratio > band;
+            if (part_of(trial, family) == part && speaks && ratio > found->memory_ratio) {
+                found->memory_ratio = ratio;
+                found->memory_family = family;
+                found->memory_size = i;
             }
         }
 }
 
-static void judge_memory(struct trial *trial)
+static void judge_memory(struct trial *trial, enum exercise_part part)
 {
-    const struct yardstick *yardstick = trial->yardstick;
-    struct check_result *check = &trial->checks[CHECK_MEMORY];
-    find_memory_ratio(trial);
-    bool within = trial->memory_ratio <= yardstick->inputs.exercise->memory_band;
+    const struct exercise *exercise = trial->yardstick->inputs.exercise;
+    struct check_result *check = &trial->checks[memory_checks[part]];
+    const struct part_result *found = &trial->parts[part];
+    double band = exercise->memory_band[part];
+    if (!exercise->checked[memory_checks[part]] || check->verdict == VERDICT_FLAGGED)
+        return;
+    find_memory_ratio(trial, part);
+    bool within = found->memory_ratio <= band;
     check_say(check, within ? VERDICT_PASSED : VERDICT_TOO_MUCH_MEMORY,
               within ? NULL : &memory_band,
               "The peak of memory is %.2f times the reference's (at most %.4g).",
               "El máximo de memoria es %.2f veces el de la referencia (como mucho %.4g).",
-              trial->memory_ratio, yardstick->inputs.exercise->memory_band);
+              found->memory_ratio, band);
 }
 
 /* The largest size at which both were counted with everything. */
@@ -334,55 +354,60 @@ static void judge_accesses(struct trial *trial)
               trial->access_ratio, yardstick->inputs.exercise->access_band);
 }
 
-static void find_work_ratios(struct trial *trial, int *family_at_fault)
+static void find_work_ratios(struct trial *trial, enum exercise_part part, int *family_at_fault)
 {
+    struct part_result *found = &trial->parts[part];
     const struct yardstick *yardstick = trial->yardstick;
     for (int family = 0; family < yardstick->inputs.family_count; family++) {
         int largest = largest_counted(trial, family);
         const struct callgrind_counts *mine = &trial->families[family].costs[largest].counts;
         const struct callgrind_counts *theirs = &yardstick->costs[family][largest].counts;
         double ratio = (double)callgrind_cost(mine) / (double)(callgrind_cost(theirs) + 1);
-        if (ratio <= trial->work_ratio)
+        if (part_of(trial, family) != part || ratio <= found->work_ratio)
             continue;
         *family_at_fault = family;
-        trial->work_ratio = ratio;
-        trial->instruction_ratio = (double)mine->instructions / (double)(theirs->instructions + 1);
-        trial->miss_ratio = (double)(mine->l1_misses + mine->ll_misses) /
+        found->work_ratio = ratio;
+        found->instruction_ratio = (double)mine->instructions / (double)(theirs->instructions + 1);
+        found->miss_ratio = (double)(mine->l1_misses + mine->ll_misses) /
                             (double)(theirs->l1_misses + theirs->ll_misses + 1);
     }
 }
 
 /* Two witnesses: marks for speed are lost only when the counted cost and the paired time agree. */
-static int judge_work(struct trial *trial, struct error *err)
+static int judge_work(struct trial *trial, enum exercise_part part, struct error *err)
 {
     const struct exercise *exercise = trial->yardstick->inputs.exercise;
+    const double band = exercise->work_band[part];
     int family = 0;
     bool slower = false;
-    find_work_ratios(trial, &family);
-    bool above = trial->work_ratio > exercise->work_band;
-    if (above && pace_is_slower(trial, family, pace_size_index(trial->yardstick),
-                                exercise->work_band, &slower, err) != 0)
+    if (!exercise->checked[work_checks[part]])
+        return 0;
+    find_work_ratios(trial, part, &family);
+    const double ratio = trial->parts[part].work_ratio;
+    bool above = ratio > band;
+    if (above &&
+        pace_is_slower(trial, family, pace_size_index(trial->yardstick), band, &slower, err) != 0)
         return -1;
-    struct check_result *check = &trial->checks[CHECK_WORK];
+    struct check_result *check = &trial->checks[work_checks[part]];
     if (!above)
         check_say(check, VERDICT_PASSED, NULL,
                   "The counted cost is %.2f times the reference's (at most %.4g).",
-                  "El coste contado es %.2f veces el de la referencia (como mucho %.4g).",
-                  trial->work_ratio, exercise->work_band);
+                  "El coste contado es %.2f veces el de la referencia (como mucho %.4g).", ratio,
+                  band);
     else if (!slower)
         check_say(check, VERDICT_PASSED, NULL,
                   "The counted cost is %.2f times the reference's (at most %.4g), but the time is "
                   "not: that is in your favour.",
                   "El coste contado es %.2f veces el de la referencia (como mucho %.4g), pero el "
                   "tiempo no: la duda te favorece.",
-                  trial->work_ratio, exercise->work_band);
+                  ratio, band);
     else
         check_say(check, VERDICT_TOO_MUCH_WORK, &work_band,
                   "The counted cost is %.2f times the reference's (at most %.4g), and so is the "
                   "time.",
                   "El coste contado es %.2f veces el de la referencia (como mucho %.4g), y el "
                   "tiempo también.",
-                  trial->work_ratio, exercise->work_band);
+                  ratio, band);
     return 0;
 }
 
@@ -453,15 +478,16 @@ int sized_check(struct trial *trial, struct error *err)
             return -1;
     if (!right)
         return 0;
-    if (exercise->checked[CHECK_MEMORY] && trial->checks[CHECK_MEMORY].verdict != VERDICT_FLAGGED)
-        judge_memory(trial);
+    for (int part = 0; part < PART_COUNT; part++)
+        judge_memory(trial, part);
     if (!yardstick->probes.valgrind) {
         say_not_measured(trial);
         return 0;
     }
-    check_say(&trial->checks[CHECK_GROWTH], VERDICT_PASSED, NULL,
-              "The work grows no faster than %s.", "El trabajo no crece más que %s.",
-              exercise->growth_allowed);
+    for (int part = 0; part < PART_COUNT; part++)
+        check_say(&trial->checks[growth_checks[part]], VERDICT_PASSED, NULL,
+                  "The work grows no faster than %s.", "El trabajo no crece más que %s.",
+                  exercise->growth_allowed[part]);
     struct count_plan plan = {.last_family = yardstick->inputs.family_count - 1,
                               .last = yardstick->inputs.size_count - 1,
                               .leaps = true,
@@ -471,11 +497,14 @@ int sized_check(struct trial *trial, struct error *err)
     for (int family = 0; family < yardstick->inputs.family_count && right; family++)
         if (judge_growth(trial, family, &right, err) != 0)
             return -1;
-    if (!right || trial->checks[CHECK_GROWTH].verdict != VERDICT_PASSED)
+    for (int part = 0; part < PART_COUNT; part++)
+        right = right && trial->checks[growth_checks[part]].verdict == VERDICT_PASSED;
+    if (!right)
         return 0;
     if (exercise->checked[CHECK_ACCESSES])
         judge_accesses(trial);
-    if (exercise->checked[CHECK_WORK] && judge_work(trial, err) != 0)
-        return -1;
+    for (int part = 0; part < PART_COUNT; part++)
+        if (judge_work(trial, part, err) != 0)
+            return -1;
     return check_counts(trial, err);
 }

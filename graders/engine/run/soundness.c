@@ -81,6 +81,14 @@ static int check_families(const struct pair *pair, struct error *err)
         return error_set(err, "%s: %s families, and exercise.json %s growth; correct one of them",
                          pair->file, judged ? "has no" : "has",
                          judged ? "judges" : "does not judge");
+    bool asked = false;
+    for (int i = 0; i < family_count; i++)
+        asked |= pair->judge->families[i].is_query;
+    if (asked != pair->exercise->checked[CHECK_QUERY_GROWTH])
+        return error_set(err,
+                         "%s: has %sfamily of queries, and exercise.json %s query-growth; correct "
+                         "one of them",
+                         pair->file, asked ? "a " : "no ", asked ? "does not judge" : "judges");
     for (int i = 0; judged && i < family_count; i++) {
         if (i == FAMILIES_MAX)
             return error_set(err, "%s: has more than %d families; take some out", pair->file,

@@ -71,7 +71,8 @@ static void set_not_reached(struct trial *trial)
  * mark near a limit may then differ from one grading to the next. */
 static void tell_chance(struct trial *trial)
 {
-    static const enum check_kind counted[] = {CHECK_GROWTH, CHECK_WORK};
+    static const enum check_kind counted[] = {CHECK_GROWTH, CHECK_QUERY_GROWTH, CHECK_WORK,
+                                              CHECK_QUERY_WORK};
     const char *function = trial->build.chance;
     for (size_t i = 0; function[0] && i < sizeof counted / sizeof *counted; i++)
         if (trial->checks[counted[i]].verdict != VERDICT_NOT_REACHED)

@@ -40,6 +40,13 @@ struct trial_scope {
     int64_t *stage_cpu_ns; /* [STAGE_COUNT], gets the CPU time of each step; NULL: not wanted */
 };
 
+/* Ratios to the reference of the worst family, at the largest size; 0: unknown. */
+struct part_result {
+    double work_ratio, instruction_ratio, miss_ratio;
+    double memory_ratio;
+    int memory_family, memory_size; /* indices of where that was */
+};
+
 struct trial {
     struct yardstick *yardstick;
     const char *student; /* borrowed */
@@ -50,9 +57,8 @@ struct trial {
     struct case_result *cases; /* judge->case_count */
     struct check_result checks[CHECK_COUNT];
     struct family_result families[FAMILIES_MAX];
-    double work_ratio, instruction_ratio, miss_ratio; /* worst family, largest size; 0: unknown */
-    double memory_ratio, access_ratio;
-    int memory_family, memory_size; /* indices of where that was */
+    struct part_result parts[PART_COUNT];
+    double access_ratio;
     int access_family;
     uint32_t active_layers; /* of the box in which the cases ran */
     struct box_reason layer_reasons[BOX_LAYER_COUNT];

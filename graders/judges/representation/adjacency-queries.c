@@ -49,9 +49,9 @@ static const struct judge_case cases[] = {
 };
 
 static const struct size_family families[] = {
-    {"all-of-sphere", FAMILY_SPHERE, SCRAMBLED, true, {ALL_KINDS, OF_ALL}},
-    {"all-of-quads", FAMILY_QUADS, SCRAMBLED, true, {ALL_KINDS, OF_ALL}},
-    {"one-apex", FAMILY_BIPYRAMID, SCRAMBLED, true, {ALL_KINDS, AROUND_ONE}}, {NULL}};
+    {"all-of-sphere", FAMILY_SPHERE, SCRAMBLED, false, true, {ALL_KINDS, OF_ALL}},
+    {"all-of-quads", FAMILY_QUADS, SCRAMBLED, false, true, {ALL_KINDS, OF_ALL}},
+    {"one-apex", FAMILY_BIPYRAMID, SCRAMBLED, false, true, {ALL_KINDS, AROUND_ONE}}, {NULL}};
 
 static const struct answer_rule answer = {
     .function = "run", .result = RESULT_COUNT, .counted = {"queries", "consultas"},
@@ -67,14 +67,6 @@ struct asked {
 };
 
 /* ------------------------------------------------------------------------------------- inputs */
-
-static int build(const struct task *task, struct winged_edge_mesh *we, struct error *err)
-{
-    const struct polygon_view *view = &task->polygons;
-    const struct polygons polygons = {view->corners, view->first_corner, view->vertex_count,
-                                      view->face_count};
-    return winged_edge_build(we, &polygons, view->positions, err);
-}
 
 static void write_structure(const struct winged_edge_mesh *we, struct writer *beside)
 {
@@ -141,7 +133,7 @@ static int write_beside(const struct task *task, uint64_t seed, struct writer *b
                         struct error *err)
 {
     struct winged_edge_mesh we;
-    if (build(task, &we, err))
+    if (neighbours_build(&task->polygons, &we, err))
         return -1;
     struct list list = {
         .queries = calloc((size_t)(3 * we.face_count + 3 * we.vertex_count + we.edge_count + 1),
@@ -215,7 +207,7 @@ static int judge(const struct task *task, struct judgement *out, struct error *e
 {
     struct winged_edge_mesh we;
     int64_t listed = 0, least = 0;
-    if (build(task, &we, err))
+    if (neighbours_build(&task->polygons, &we, err))
         return -1;
     int failed = judge_queries(task, &we, &listed, &least, out, err);
     winged_edge_release(&we);

@@ -95,11 +95,9 @@ int32_t edges_of_edge(int32_t edge, int32_t *out, int32_t capacity)
     struct winged_edge row = row_of_edge(edge);
     int32_t count = around_vertex(row.vi, edge, THE_EDGE, out);
     (void)capacity;
-    /* Each walk begins with the edge itself: the second one writes over the first entry's place. */
+    /* Each walk begins with the edge itself, whose place its last edge takes. */
     out[0] = out[--count];
-    int32_t kept = out[0];
     int32_t more = around_vertex(row.vf, edge, THE_EDGE, out + count);
     out[count] = out[count + --more];
-    out[0] = kept;
     return count + more;
 }
