@@ -31,8 +31,8 @@ import json, re, sys
 check = next(c for c in json.load(open(sys.argv[1]))["checks"] if c["name"] == "growth")
 text = check["message"]
 text = text["en"] if isinstance(text, dict) else text
-size = re.search(r"of size (\d+): .*stopped the program", text)
-assert size and int(size[1]) > 9000, text
+size = re.search(r"of size about (\d+): .*stopped the program", text)
+assert size and int(size[1]) in (8192, 16384), text # the drawn one is from 0.74 to 1.53 times as large
 assert "differ from run to run" not in text, text
 P
 
