@@ -17,8 +17,8 @@ static void check_refusal(const struct refusal *refusal)
 
 static void try_screen(const uint8_t *bytes, size_t count, bool sanitized)
 {
-    static const char *const functions[] = {"edge_table_any", NULL};
-    const struct screen_rules rules = {functions, 1 << 20, sanitized};
+    static const char *const functions[] = {"edge_table_any", NULL}, *const given[] = {NULL};
+    const struct screen_rules rules = {functions, given, 1 << 20, sanitized};
     struct screen screen;
     if (screen_object(bytes, count, &rules, &screen, NULL))
         abort();
