@@ -41,21 +41,11 @@ static void write_step_cell(struct html *page, const json_t *family, const char 
     write_number_cell(page, "x", is_step ? pow(value / before, 1 / doublings) : 0);
 }
 
-/* Work at growing sizes: how much more each doubling costs, and how much more than the reference.
- */
-static void write_doubling_table(struct html *page, const json_t *family, struct phrase element)
+static void write_heads(struct html *page, const struct phrase *heads, size_t count)
 {
-    html_open(page, "table");
-    html_attribute(page, "class", "doubling");
     html_open(page, "thead");
     html_open(page, "tr");
-    const struct phrase heads[] = {element,
-                                   {"your instructions", "tus instrucciones"},
-                                   {"per doubling", "al doblar"},
-                                   {"reference", "referencia"},
-                                   {"per doubling", "al doblar"},
-                                   {"you / reference", "tú / referencia"}};
-    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
+    for (size_t i = 0; i < count; i++) {
         html_open(page, "th");
         html_attribute(page, "scope", "col");
         html_both(page, heads[i]);
@@ -63,16 +53,37 @@ static void write_doubling_table(struct html *page, const json_t *family, struct
     }
     html_close(page, "tr");
     html_close(page, "thead");
+}
+
+/* The size that a row is about. */
+static void write_size_cell(struct html *page, const json_t *family, size_t i)
+{
+    html_open(page, "th");
+    html_attribute(page, "scope", "row");
+    html_format(page, "%.0f", number_at(family, "sizes", i));
+    html_close(page, "th");
+}
+
+/* Work at growing sizes: how much more each doubling costs, and how much more than the reference.
+ */
+static void write_doubling_table(struct html *page, const json_t *family, struct phrase element)
+{
+    html_open(page, "table");
+    html_attribute(page, "class", "doubling");
+    const struct phrase heads[] = {element,
+                                   {"your instructions", "tus instrucciones"},
+                                   {"per doubling", "al doblar"},
+                                   {"reference", "referencia"},
+                                   {"per doubling", "al doblar"},
+                                   {"you / reference", "tú / referencia"}};
+    write_heads(page, heads, sizeof heads / sizeof *heads);
     html_open(page, "tbody");
     size_t count = json_array_size(json_object_get(family, "sizes"));
     for (size_t i = 0; i < count; i++) {
         double own = number_at(family, "instructions", i);
         double reference = number_at(family, "reference_instructions", i);
         html_open(page, "tr");
-        html_open(page, "th");
-        html_attribute(page, "scope", "row");
-        html_format(page, "%.0f", number_at(family, "sizes", i));
-        html_close(page, "th");
+        write_size_cell(page, family, i);
         write_number_cell(page, "", own);
         write_step_cell(page, family, "instructions", i);
         write_number_cell(page, "", reference);
@@ -292,26 +303,14 @@ static void write_access_table(struct html *page, const json_t *family, struct p
     const struct phrase heads[] = {
         elements, {"accesses", "accesos"}, {"reference", "referencia"}, {"ratio", "cociente"}};
     html_open(page, "table");
-    html_open(page, "thead");
-    html_open(page, "tr");
-    for (size_t i = 0; i < sizeof heads / sizeof heads[0]; i++) {
-        html_open(page, "th");
-        html_attribute(page, "scope", "col");
-        html_both(page, heads[i]);
-        html_close(page, "th");
-    }
-    html_close(page, "tr");
-    html_close(page, "thead");
+    write_heads(page, heads, sizeof heads / sizeof *heads);
     html_open(page, "tbody");
     size_t count = json_array_size(json_object_get(family, "sizes"));
     for (size_t i = 0; i < count; i++) {
         double own = number_at(family, "accesses", i);
         double reference = number_at(family, "reference_accesses", i);
         html_open(page, "tr");
-        html_open(page, "th");
-        html_attribute(page, "scope", "row");
-        html_format(page, "%.0f", number_at(family, "sizes", i));
-        html_close(page, "th");
+        write_size_cell(page, family, i);
         write_number_cell(page, "", own);
         write_number_cell(page, "", reference);
         write_ratio_cell(page, own, reference);

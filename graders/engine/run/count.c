@@ -118,8 +118,8 @@ static int measure_one(struct measuring *m, int family, int size_index, struct e
     return attempt_judge(m->inputs, input, &m->series.session, &m->run->failure, err);
 }
 
-/* Calls on the largest size, and reads from outside how much the process grew. Memory that was not
- * asked for through malloc would show here. */
+/* The same, and reads from outside how much the process grew. Memory that was not asked for through
+ * malloc shows here, in the call that first uses it, whichever that is. */
 static int measure_hidden(struct measuring *m, int family, int size_index, struct error *err)
 {
     const struct box *box = &m->series.session.box;
@@ -130,8 +130,10 @@ static int measure_hidden(struct measuring *m, int family, int size_index, struc
         return -1;
     int64_t after = m->series.end == CALL_ANSWERED ? box_peak_resident_bytes(box) : -1;
     int64_t growth = before >= 0 && after >= 0 ? after - before : 0;
-    if (growth > explained_bytes(m, &m->series.session.claims, input))
-        m->run->hidden_bytes = growth - possible_heap(m, &m->series.session.claims);
+    int64_t hidden = growth - possible_heap(m, &m->series.session.claims);
+    if (growth > explained_bytes(m, &m->series.session.claims, input) &&
+        hidden > m->run->hidden_bytes)
+        m->run->hidden_bytes = hidden;
     return 0;
 }
 
@@ -271,9 +273,8 @@ static int measure_family(struct measuring *m, int family, struct error *err)
     m->series.session.input_page = (uint32_t)(family - m->plan->first_family) * m->family_pages;
     for (int i = m->plan->first; i <= m->plan->last && !m->run->hopeless[family];
          i = next_size(m, costs, i)) {
-        int result = m->tool == SERIES_PLAIN && i == m->plan->last
-                         ? measure_hidden(m, family, i, err)
-                         : measure_one(m, family, i, err);
+        int result = m->tool == SERIES_PLAIN ? measure_hidden(m, family, i, err)
+                                             : measure_one(m, family, i, err);
         if (result != 0 || !goes_well(m))
             return result;
         struct error unread = {""};

@@ -39,7 +39,7 @@ struct count_run {
     bool hopeless[FAMILIES_MAX]; /* stopped early */
     int64_t leaked_bytes, leaked_blocks; /* of the first call that left blocks; 0: none did */
     int leaking_size;                    /* its size index */
-    int64_t hidden_bytes; /* resident growth of the largest call that no claim explains; 0: none */
+    int64_t hidden_bytes;   /* most that a call grew by and no claim explains; 0: none */
     int family, size_index; /* of the last call */
     struct attempt failure; /* verdict PASSED when every call was right, else what went wrong */
 };
