@@ -346,7 +346,9 @@ int main(void)
         return EXIT_NOT_SECLUDED;
     setvbuf(stdout, output_buffer, _IOFBF, sizeof output_buffer); /* no allocation to be counted */
     watch_faults();
-    finish_call(0); /* ready, as after no call */
+    if (fixed.mode & MODE_PAINT_STACK)
+        paint_stack(); /* now, so that the first call is not what these pages become resident in */
+    finish_call(0);    /* ready, as after no call */
     serve_calls();
     return 0;
 }

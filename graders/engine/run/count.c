@@ -124,6 +124,7 @@ static int measure_hidden(struct measuring *m, int family, int size_index, struc
 {
     const struct box *box = &m->series.session.box;
     const struct input *input;
+    (void)session_await_ready(&m->series.session); /* when it fails, the call tells */
     int64_t before = box_reset_peak(box) == 0 ? box_peak_resident_bytes(box) : -1;
     if (measure_one(m, family, size_index, err) != 0 ||
         inputs_sized(m->inputs, family, size_index, &input, err) != 0)

@@ -199,12 +199,17 @@ static enum call_end await(struct session *session, const struct call_limits *li
 /* Starting takes seconds under a tool on a busy machine. */
 static const struct call_limits ready_limits = {60000000000LL, 60000000000LL};
 
-/* Waits until the runner has its memory and stands before its first call: every end that comes
- * later is the submission's, whatever it writes into the page. */
-static enum call_end await_ready(struct session *session)
+enum call_end session_await_ready(struct session *session)
 {
+    if (session->is_ready)
+        return CALL_ANSWERED;
     session->cpu_start_ns = 0;
-    return await(session, &ready_limits) == CALL_ANSWERED ? CALL_ANSWERED : CALL_NOT_READY;
+    session->is_ready = await(session, &ready_limits) == CALL_ANSWERED;
+    if (session->is_ready)
+        return CALL_ANSWERED;
+    session->alive = false;
+    box_kill(&session->box);
+    return CALL_NOT_READY;
 }
 
 static uint64_t fresh_nonce(void)
@@ -220,12 +225,9 @@ enum call_end session_call(struct session *session, size_t input_bytes, int64_t 
 {
     struct control *control = session->control;
     uint64_t nonce = fresh_nonce();
-    enum call_end end = session->call_index == 0 ? await_ready(session) : CALL_ANSWERED;
-    if (end != CALL_ANSWERED) {
-        session->alive = false;
-        box_kill(&session->box);
+    enum call_end end = session_await_ready(session);
+    if (end != CALL_ANSWERED)
         return end;
-    }
     control->nonce = nonce;
     control->echo = 0;
     control->input_bytes = input_bytes;

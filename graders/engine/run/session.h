@@ -62,7 +62,7 @@ struct session {
     struct control *control;
     uint32_t call_index;
     uint32_t input_page; /* of the input region, where the next call's input begins; 0 at first */
-    bool alive;
+    bool alive, is_ready;
     int64_t cpu_start_ns; /* CPU time charged before the present call */
     void (*meanwhile)(void *argument);
     void *meanwhile_argument;
@@ -74,6 +74,11 @@ struct session {
 /* Starts the program. Returns 0, or -1 and *err: a fault, nothing is left behind. */
 int session_start(struct session *session, const struct session_plan *plan,
                   struct error *err) MUST_CHECK;
+
+/* Waits until the runner has its memory and stands before its first call: every end that comes
+ * later is the submission's, whatever it writes into the page. session_call does so by itself.
+ * Returns CALL_ANSWERED, or CALL_NOT_READY: the program is dead. */
+enum call_end session_await_ready(struct session *session);
 
 /* Calls once with `input_bytes` bytes of the input region, from session->input_page on. The first
  * call begins when the runner is ready; what it needs for that is charged to no call.
