@@ -1,6 +1,6 @@
 /* Tries: an answer that it made before for the same address
- * Stopped by: each call brings another mesh to the same address
- * expect: flagged, behaves-differently */
+ * Stopped by: each call brings another mesh, paired runs to the same address
+ * expect: wrong-answer, extra-edge */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"
