@@ -30,7 +30,7 @@ static void write_file(const char *name, const char *content)
 /* Preprocesses main.c in the folder. */
 static size_t preprocess(const char *source, const char *flags)
 {
-    char command[256];
+    char command[512];
     write_file("main.c", source);
     snprintf(command, sizeof command, "cd %s && gcc -O2 -w %s -E main.c", folder, flags);
     FILE *compiler = popen(command, "r");
@@ -410,6 +410,7 @@ int main(void)
         cmocka_unit_test(forged_lines_are_refused),
         cmocka_unit_test(includes_stay_inside),
         cmocka_unit_test(raw_strings_are_refused),
+
         cmocka_unit_test(anything_is_survived),
         cmocka_unit_test(other_directives_are_refused),
         cmocka_unit_test(markers_in_the_source_are_refused),

@@ -2,6 +2,7 @@
 #include "graders/engine/build/build.h"
 
 #include "graders/engine/base/files.h"
+#include "graders/engine/build/compiler.h"
 #include "graders/engine/build/directives.h"
 #include "graders/engine/build/policy.h"
 #include "graders/engine/build/screen.h"
@@ -42,7 +43,8 @@ static const char *const program_names[PROGRAM_COUNT] = {"plain", "sanitized", "
 
 /* The same for submission and reference. x86-64-v2: what valgrind can run everywhere. */
 #define COMMON_FLAGS                                                                               \
-    "-std=gnu17 -march=x86-64-v2 -g -Wall -Wextra -fmax-errors=20 -fdiagnostics-color=never "      \
+    COMPILER_LANGUAGE                                                                              \
+    " -march=x86-64-v2 -g -Wall -Wextra -fmax-errors=20 -fdiagnostics-color=never "                \
     "-fno-lto -ffp-contract=off -fmax-include-depth=32"
 #define PLAIN_FLAGS "-O2"
 #define SANITIZED_FLAGS                                                                            \
@@ -54,6 +56,10 @@ static const char *const program_names[PROGRAM_COUNT] = {"plain", "sanitized", "
 #define WRAPPED                                                                                    \
     "-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free,--wrap=aligned_alloc,"             \
     "--wrap=posix_memalign,--wrap=memalign,--wrap=valloc"
+
+/* By these callgrind and its reader know the runner's functions (series.h): where a submission has
+ * functions of the same name, they get another. */
+static const char *const runner_names[] = {"counted_call_ends", "run_call"};
 
 /* ------------------------------------------------------------------ folder */
 
@@ -147,10 +153,11 @@ static bool is_c_file(const char *name)
 static void add_compilation(struct script *script, const char *name, int number, bool sanitized,
                             char objects[2][1024])
 {
-    add(script, "gcc " COMMON_FLAGS " -fno-working-directory -I. -E %s -o %d.i || fail %d\n", name,
+    add(script, "gcc " COMMON_FLAGS " " COMPILER_NAMES " -I. -E %s -o %d.i || fail %d\n", name,
         number, STAGE_PREPROCESS);
-    add(script, "gcc " COMMON_FLAGS " " PLAIN_FLAGS " -fpreprocessed -c %d.i -o %d.o || fail %d\n",
-        number, number, STAGE_COMPILE);
+    add(script,
+        "gcc " COMMON_FLAGS " " PLAIN_FLAGS " %s -fpreprocessed -c %d.i -o %d.o || fail %d\n",
+        compiler_liberties(), number, number, STAGE_COMPILE);
     if (sanitized)
         add(script,
             "gcc " COMMON_FLAGS " " SANITIZED_FLAGS
@@ -178,6 +185,8 @@ static void write_script(const struct exercise *exercise, const struct source *s
     add(script, "for o in all%s; do objcopy", all ? " all.s" : "");
     for (int i = 0; i < exercise->function_count; i++)
         add(script, " --keep-global-symbol=%s", exercise->functions[i]);
+    for (size_t i = 0; i < sizeof runner_names / sizeof *runner_names; i++)
+        add(script, " --redefine-sym %s=its_own_%s", runner_names[i], runner_names[i]);
     add(script, " $o.o $o.kept.o || fail %d; done\n", STAGE_LINK);
     add(script, "gcc -static " WRAPPED " runner-plain.o all.kept.o -lm -o plain || fail %d\n",
         STAGE_LINK);
@@ -272,6 +281,13 @@ static int judge_outcome(struct build *build, const struct box_outcome *outcome,
         refuse(refusal, &link_failed,
                "It compiles but cannot be linked: see the messages of the linker (%s).",
                "Compila pero no se puede enlazar: vea los mensajes del enlazador (%s).", "ld");
+    else if (strstr(build->diagnostics, "[-Werror="))
+        refuse(refusal, &syntax,
+               "It does not compile: what newer compilers (gcc 14) refuse is refused here by all: "
+               "see the messages of the compiler (%s).",
+               "No compila: lo que los compiladores nuevos (gcc 14) rechazan aquí se rechaza con "
+               "todos: vea los mensajes del compilador (%s).",
+               "gcc");
     else
         refuse(refusal, &syntax, "It does not compile: see the messages of the compiler (%s).",
                "No compila: vea los mensajes del compilador (%s).", "gcc");

@@ -4,6 +4,8 @@
  * where it stands (line markers), how deep in braces, whether inside an attribute. */
 #include "graders/engine/build/policy.h"
 
+#include "graders/engine/build/compiler.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -162,9 +164,6 @@ static const char *const system_templates[] = {
     "pconfig\\n\\t",   "encls\\n\\t",     "enclu\\n\\t", "enclv\\n\\t",
     "ldtilecfg\\t%X0", "sttilecfg\\t%X0", "tilerelease", NULL};
 
-/* Where the real ones stand; what else gcc calls a system header is not believed. */
-static const char *const system_folders[] = {"/usr/include", "/usr/lib/gcc", NULL};
-
 static bool is(struct slice text, const char *word)
 {
     return strlen(word) == text.count && memcmp(text.at, word, text.count) == 0;
@@ -257,9 +256,10 @@ static struct slice folder_of(struct slice path)
     return path;
 }
 
+/* Where the real ones stand; what else gcc calls a system header is not believed. */
 static bool is_in_system_folder(struct slice path)
 {
-    for (const char *const *folder = system_folders; *folder; folder++)
+    for (const char *const *folder = compiler_system_folders(); *folder; folder++)
         if (is_below(path, (struct slice){*folder, strlen(*folder)}))
             return !has_parent_step(path);
     return false;

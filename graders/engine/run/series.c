@@ -29,14 +29,13 @@ static const char DUMPED_CALL[] = SERIES_DUMPED_CALL;
         "--callgrind-out-file=/proc/self/cwd/counts"
 #define COUNTED                                                                                    \
     {                                                                                              \
-        "PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp",                                            \
-            "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-AVX512VL,-ERMS,-FSRM", NULL           \
+        "PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=tmp", SERIES_PINNED_FUNCTIONS, NULL              \
     }
 
 /* How each tool is run. Programs are named relative to /work, so that their counts do not depend on
  * the host's paths; callgrind would make a relative name absolute, and its user may not pass all
  * folders above, but /proc/self/cwd leads there at once. GLIBC_TUNABLES pins libc's choice of
- * string functions: counts then agree between machines. Caches of declared size, not this
+ * functions: counts then agree between machines. Caches of declared size, not this
  * machine's. Everything is collected, and dumped when the runner's function is entered that
  * follows a call: the program itself asks valgrind for nothing. */
 static const struct {
