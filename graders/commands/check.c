@@ -63,8 +63,9 @@ static void name_files(json_t *result, char **files, int count, uint32_t seed)
 
 static void print_times(const int64_t stage_cpu_ns[STAGE_COUNT])
 {
-    static const char *const names[STAGE_COUNT] = {"build", "cases", "undefined behaviour",
-                                                   "allocation failures", "growth, work, memory"};
+    static const char *const names[STAGE_COUNT] = {
+        "build",  "cases",          "undefined behaviour", "allocation failures",
+        "memory", "growth and work"};
     for (int stage = 0; stage < STAGE_COUNT; stage++)
         fprintf(stderr, "  %-22s %6.2f s of CPU\n", names[stage],
                 (double)stage_cpu_ns[stage] / 1e9);

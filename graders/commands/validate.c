@@ -119,8 +119,8 @@ static int expand(const struct exercise *exercise, const char *folder, struct er
 
 /* What became of a submission. */
 struct finding {
-    bool is_met, is_as_before;
-    bool is_brief;           /* only its cases were run */
+    bool is_met, is_as_before, is_to_do;
+    unsigned left_out;       /* steps that were not run; see trial_scope */
     char failed[STAMP_TEXT]; /* classes, when it is met */
 };
 
@@ -162,7 +162,7 @@ static int put_stamps(const struct plan *plan, const struct subject *subject, st
         return 0;
     for (int i = 0; i < subject->known.count; i++) {
         const struct finding *finding = &subject->findings[i];
-        if (finding->is_met && !finding->is_as_before && !finding->is_brief &&
+        if (finding->is_met && !finding->is_as_before && finding->left_out == 0 &&
             stamps_put(&now, &subject->known.submissions[i], finding->failed, err) != 0)
             return -1;
     }
@@ -180,32 +180,35 @@ static int compare(struct plan *plan, struct subject *subject, struct store *sto
     if (store_find(store, upload->student_folder, exercise, NULL, &result, err) != 0)
         return -1;
     finding->is_met = result && expectation_is_met(expected, result, why, sizeof why);
-    if (!finding->is_brief)
+    if (finding->left_out == 0)
         *is_whole &= json_array_size(json_object_get(result, "not_measured")) == 0;
     expectation_failed_classes(result, finding->failed, sizeof finding->failed);
-    if (!finding->is_met && subject->remembers) /* with --again it may have one */
+    finding->is_to_do = !finding->is_met && finding->left_out != 0;
+    if (finding->is_to_do) /* what was left out may decide it: nothing is left out the next time */
+        finding->left_out = 0;
+    else if (!finding->is_met && subject->remembers) /* with --again it may have one */
         stamps_remove(&subject->stamps, &subject->known.submissions[index]);
-    if (!finding->is_met)
+    if (!finding->is_met && !finding->is_to_do)
         printf("not as expected: %s %s %s\n", exercise, upload->student, why);
-    else if (plan->verbose)
+    if (finding->is_met && plan->verbose)
         printf("as expected: %s %s is %s, %.4g points\n", exercise, upload->student,
                expected->verdict, json_number_value(json_object_get(result, "score")));
     json_decref(result);
     return 0;
 }
 
-/* Makes the uploads of what no stamp says, and says of each whether it is brief. */
-static int make_uploads(const struct subject *subject, struct upload_list *list, bool **brief,
-                        struct error *err)
+/* Makes the uploads of what is to be graded, and says of each what is left out. */
+static int make_uploads(const struct subject *subject, struct upload_list *list,
+                        unsigned **left_out, struct error *err)
 {
     list->uploads = calloc((size_t)subject->known.count + 1, sizeof *list->uploads);
-    *brief = calloc((size_t)subject->known.count + 1, sizeof **brief);
-    if (!list->uploads || !*brief)
+    *left_out = calloc((size_t)subject->known.count + 1, sizeof **left_out);
+    if (!list->uploads || !*left_out)
         return error_set(err, "out of memory");
     for (int i = 0; i < subject->known.count; i++) {
-        if (subject->findings[i].is_as_before)
+        if (!subject->findings[i].is_to_do)
             continue;
-        (*brief)[list->count] = subject->findings[i].is_brief;
+        (*left_out)[list->count] = subject->findings[i].left_out;
         if (make_upload(&subject->known.submissions[i], subject->exercise->name,
                         &list->uploads[list->count++], err) != 0)
             return -1;
@@ -213,14 +216,15 @@ static int make_uploads(const struct subject *subject, struct upload_list *list,
     return 0;
 }
 
-/* Grades what no stamp says. */
+/* Grades what is to be done. */
 static int grade(struct plan *plan, struct subject *subject, struct error *err)
 {
     struct upload_list list = {0};
     struct store store = {NULL};
     char folder[PATH_MAX] = "";
-    bool is_whole = true, *brief = NULL;
-    int result = make_uploads(subject, &list, &brief, err);
+    bool is_whole = true;
+    unsigned *left_out = NULL;
+    int result = make_uploads(subject, &list, &left_out, err);
     if (result == 0)
         result = folder_make_work(folder, err);
     if (result == 0)
@@ -231,17 +235,25 @@ static int grade(struct plan *plan, struct subject *subject, struct error *err)
                                   .store = &store,
                                   .seed = plan->seed,
                                   .job_count = (int)plan->jobs,
-                                  .only_cases = brief};
+                                  .left_out = left_out};
     if (result == 0)
         result = classroom_grade(&classroom, err);
     for (int i = 0, next = 0; i < subject->known.count && result == 0; i++)
-        if (!subject->findings[i].is_as_before)
+        if (subject->findings[i].is_to_do)
             result = compare(plan, subject, &store, &list.uploads[next++], i, &is_whole, err);
     store_close(&store);
     folder_remove_work(folder);
     upload_list_release(&list);
-    free(brief);
+    free(left_out);
     return result == 0 && is_whole ? put_stamps(plan, subject, err) : result;
+}
+
+static bool has_to_do(const struct subject *subject)
+{
+    for (int i = 0; i < subject->known.count; i++)
+        if (subject->findings[i].is_to_do)
+            return true;
+    return false;
 }
 
 /* ------------------------------------------------------------------ the set */
@@ -302,7 +314,7 @@ static void check_set(struct plan *plan, const struct subject *subject)
 static int validate(struct plan *plan, const struct exercise *exercise, struct error *err)
 {
     struct subject subject = {.exercise = exercise};
-    int result = read_known(exercise, &subject.known, err), to_do = 0;
+    int result = read_known(exercise, &subject.known, err);
     if (result == 0 && plan->only)
         result = keep_only(plan, &subject.known, err);
     subject.findings = calloc((size_t)subject.known.count + 1, sizeof *subject.findings);
@@ -313,11 +325,12 @@ static int validate(struct plan *plan, const struct exercise *exercise, struct e
     if (result == 0)
         open_stamps(plan, &subject);
     for (int i = 0; i < subject.known.count && result == 0; i++) {
-        subject.findings[i].is_brief =
-            plan->brief && expectation_needs_only_cases(&subject.known.submissions[i].expected);
-        to_do += !subject.findings[i].is_as_before;
+        subject.findings[i].is_to_do = !subject.findings[i].is_as_before;
+        if (plan->brief)
+            subject.findings[i].left_out =
+                expectation_left_out(&subject.known.submissions[i].expected);
     }
-    if (result == 0 && to_do > 0)
+    while (result == 0 && has_to_do(&subject))
         result = grade(plan, &subject, err);
     for (int i = 0; i < subject.known.count && result == 0; i++) {
         plan->met += subject.findings[i].is_met;
@@ -369,7 +382,7 @@ static int run(int argc, char **argv)
         {"only", 0, "FILE,...", "just these of the exercise: wrong/a,right/b", &plan.only, NULL},
         {"again", 0, NULL, "also what got its verdict before and did not change", NULL,
          &plan.again},
-        {"brief", 0, NULL, "of wrong answers only the cases: no sanitizer, no count, no stamp",
+        {"brief", 0, NULL, "of each submission only what decides its verdict; no stamp for it",
          NULL, &plan.brief},
         {"jobs", 'j', "N", "submissions at a time (default: one a core)", &jobs_text, NULL},
         {"seed", 0, "N", "as a class of this seed is graded (default: the published seeds)",

@@ -76,8 +76,8 @@ static int start_job(const struct classroom *classroom, struct job *job,
                      struct yardstick *yardstick, struct error *err)
 {
     const struct upload *upload = &classroom->uploads->uploads[job->upload];
-    const struct trial_scope scope = {.only_cases = classroom->only_cases &&
-                                                    classroom->only_cases[job->upload]};
+    const struct trial_scope scope = {
+        .left_out = classroom->left_out ? classroom->left_out[job->upload] : 0};
     job->file = memfd_create("outcome", MFD_CLOEXEC);
     fflush(NULL);
     job->pid = job->file >= 0 ? fork() : -1;

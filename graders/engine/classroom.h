@@ -26,8 +26,8 @@ struct classroom {
     json_t *changes;  /* with regrade: array of {student, exercise, before, after}; not stored
                          unless `apply` */
     bool apply;
-    const bool *only_cases; /* of each upload, whether only its cases are run and leaks looked for;
-                               borrowed; NULL: of none */
+    const unsigned *left_out; /* of each upload, the steps that are not run, see trial_scope;
+                                 borrowed; NULL: none */
     /* Called in the parent after each result; done and total count submissions. May be NULL. */
     void (*progress)(const struct classroom *classroom, const json_t *result, int done, int total);
     int done, total;

@@ -3,6 +3,7 @@
 
 #include "graders/engine/base/exercise.h"
 #include "graders/engine/base/verdict.h"
+#include "graders/engine/run/trial.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -142,12 +143,50 @@ bool expectation_is_met(const struct expectation *expected, const json_t *result
     return strcmp(verdict, verdict_name(VERDICT_PASSED)) != 0 || has_margin(result, why, capacity);
 }
 
-bool expectation_needs_only_cases(const struct expectation *expected)
+/* The step in which a verdict of a check arises; STAGE_CASES: in the cases themselves. */
+static enum trial_stage stage_of_check(enum check_kind check)
 {
+    switch (check) {
+    case CHECK_LEAK:
+        return STAGE_CASES;
+    case CHECK_UNDEFINED_BEHAVIOUR:
+        return STAGE_UNDEFINED_BEHAVIOUR;
+    case CHECK_ALLOCATION_FAILURE:
+        return STAGE_ALLOCATION_FAILURE;
+    case CHECK_MEMORY:
+    case CHECK_QUERY_MEMORY:
+        return STAGE_MEMORY;
+    default:
+        return STAGE_GROWTH;
+    }
+}
+
+static unsigned stages_of_verdict(enum verdict verdict)
+{
+    switch (verdict) {
+    case VERDICT_UNDEFINED_BEHAVIOUR:
+        return 1u << STAGE_UNDEFINED_BEHAVIOUR;
+    case VERDICT_GROWS_TOO_FAST:
+    case VERDICT_TOO_MUCH_WORK:
+        return 1u << STAGE_GROWTH;
+    case VERDICT_TOO_MUCH_MEMORY:
+        return 1u << STAGE_MEMORY;
+    case VERDICT_PASSED:
+    case VERDICT_FLAGGED:
+    case VERDICT_FAULT:
+        return ~0u;
+    default:
+        return 0;
+    }
+}
+
+unsigned expectation_left_out(const struct expectation *expected)
+{
+    unsigned needed = stages_of_verdict(verdict_of_name(expected->verdict));
     for (enum check_kind check = 0; check < CHECK_COUNT; check++)
         if (is_expected(expected, check_name(check)))
-            return false;
-    return strcmp(expected->verdict, verdict_name(VERDICT_WRONG_ANSWER)) == 0;
+            needed |= 1u << stage_of_check(check);
+    return ~needed & TRIAL_CHECKS;
 }
 
 /* What is wrong cannot be good, and what is too poor for one band is so for every stricter one. */

@@ -34,8 +34,9 @@ int expectation_read(const char *kind, const char *name, const char *text,
 bool expectation_is_met(const struct expectation *expected, const json_t *result, char *why,
                         size_t capacity);
 
-/* Whether cases alone decide it: a wrong answer that fails no check. */
-bool expectation_needs_only_cases(const struct expectation *expected);
+/* The steps after the cases that do not decide it, bits of TRIAL_CHECKS (trial.h): a wrong answer that
+ * fails no check is decided by its cases, a slow one by its counts, a right one by everything. */
+unsigned expectation_left_out(const struct expectation *expected);
 
 /* Whether of a list of failed classes ("open,closed") just this one failed, and bands of quality:
  * stricter ones when it is a band, any when it is a class of right answers. */

@@ -468,18 +468,22 @@ static void say_not_measured(struct trial *trial)
     }
 }
 
-int sized_check(struct trial *trial, struct error *err)
+int sized_check_memory(struct trial *trial, bool *right, struct error *err)
+{
+    *right = true;
+    for (int family = 0; family < trial->yardstick->inputs.family_count && *right; family++)
+        if (measure_memory(trial, family, right, err) != 0)
+            return -1;
+    for (int part = 0; part < PART_COUNT && *right; part++)
+        judge_memory(trial, part);
+    return 0;
+}
+
+int sized_check_growth(struct trial *trial, struct error *err)
 {
     const struct yardstick *yardstick = trial->yardstick;
     const struct exercise *exercise = yardstick->inputs.exercise;
     bool right = true;
-    for (int family = 0; family < yardstick->inputs.family_count && right; family++)
-        if (measure_memory(trial, family, &right, err) != 0)
-            return -1;
-    if (!right)
-        return 0;
-    for (int part = 0; part < PART_COUNT; part++)
-        judge_memory(trial, part);
     if (!yardstick->probes.valgrind) {
         say_not_measured(trial);
         return 0;

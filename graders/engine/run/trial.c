@@ -84,19 +84,31 @@ static void tell_chance(struct trial *trial)
                         function);
 }
 
+/* Whether the scope and the exercise have the step that `check` stands for. */
+static bool has_step(const struct trial *trial, enum trial_stage stage, enum check_kind check)
+{
+    return !(trial->scope.left_out & 1u << stage) &&
+           trial->yardstick->inputs.exercise->checked[check];
+}
+
 static int run_checks(struct trial *trial, struct error *err)
 {
-    const struct exercise *exercise = trial->yardstick->inputs.exercise;
     int64_t since_ns = spent_ns();
-    if (exercise->checked[CHECK_UNDEFINED_BEHAVIOUR] && undefined_check(trial, err) != 0)
+    if (has_step(trial, STAGE_UNDEFINED_BEHAVIOUR, CHECK_UNDEFINED_BEHAVIOUR) &&
+        undefined_check(trial, err) != 0)
         return -1;
     charge(trial, STAGE_UNDEFINED_BEHAVIOUR, &since_ns);
     if (!cases_basic_class_passed(trial))
         return 0;
-    if (exercise->checked[CHECK_ALLOCATION_FAILURE] && sweep_check(trial, err) != 0)
+    if (has_step(trial, STAGE_ALLOCATION_FAILURE, CHECK_ALLOCATION_FAILURE) &&
+        sweep_check(trial, err) != 0)
         return -1;
     charge(trial, STAGE_ALLOCATION_FAILURE, &since_ns);
-    if (exercise->checked[CHECK_GROWTH] && sized_check(trial, err) != 0)
+    bool right = true;
+    if (has_step(trial, STAGE_MEMORY, CHECK_GROWTH) && sized_check_memory(trial, &right, err) != 0)
+        return -1;
+    charge(trial, STAGE_MEMORY, &since_ns);
+    if (right && has_step(trial, STAGE_GROWTH, CHECK_GROWTH) && sized_check_growth(trial, err) != 0)
         return -1;
     charge(trial, STAGE_GROWTH, &since_ns);
     tell_chance(trial);
@@ -119,9 +131,10 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
     if (!trial->cases)
         return error_set(err, "out of memory");
     int64_t since_ns = spent_ns();
-    bool only_cases = scope->only_cases || scope->quick || scope->only_case;
+    bool only_cases = scope->quick || scope->only_case;
+    bool plain = only_cases || scope->left_out & 1u << STAGE_UNDEFINED_BEHAVIOUR;
     if (build_submission(yardstick->inputs.exercise, sources, source_count,
-                         only_cases ? BUILD_PLAIN : BUILD_ALL, &trial->build, err) != 0)
+                         plain ? BUILD_PLAIN : BUILD_ALL, &trial->build, err) != 0)
         return -1;
     charge(trial, STAGE_BUILD, &since_ns);
     trial->active_layers = trial->build.active_layers;

@@ -27,15 +27,19 @@ enum trial_stage {
     STAGE_CASES,
     STAGE_UNDEFINED_BEHAVIOUR,
     STAGE_ALLOCATION_FAILURE,
+    STAGE_MEMORY,
     STAGE_GROWTH,
     STAGE_COUNT
 };
+
+/* The steps after the cases, as bits. */
+enum { TRIAL_CHECKS = (1 << STAGE_COUNT) - (1 << STAGE_UNDEFINED_BEHAVIOUR) };
 
 /* What to run. */
 struct trial_scope {
     bool public_only;      /* only cases that students see */
     bool quick;            /* only quick cases; no check but leak */
-    bool only_cases;       /* no check but leak */
+    unsigned left_out;     /* bits of TRIAL_CHECKS: steps that are not run */
     const char *only_case; /* NULL: all */
     int64_t *stage_cpu_ns; /* [STAGE_COUNT], gets the CPU time of each step; NULL: not wanted */
 };
