@@ -56,7 +56,7 @@ struct job {
     int try;
 };
 
-/* The child hands back {"result": ..., "scenes": ...} or {"fault": text}. */
+/* The child hands back {"result": ..., "scenes": text} or {"fault": text}. */
 _Noreturn static void work(struct yardstick *yardstick, const struct upload *upload,
                            const struct trial_scope *scope, int file)
 {
@@ -65,7 +65,7 @@ _Noreturn static void work(struct yardstick *yardstick, const struct upload *upl
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     json_t *message =
         grade_submission(yardstick, upload, scope, &outcome, &err) == 0
-            ? json_pack("{s:o, s:o}", "result", outcome.result, "scenes", outcome.scenes)
+            ? json_pack("{s:o, s:s}", "result", outcome.result, "scenes", outcome.scenes)
             : json_pack("{s:s}", "fault", err.text);
     FILE *stream = fdopen(file, "w"); /* jansson writes and reads descriptors a byte at a time */
     bool written = message && stream && json_dumpf(message, stream, JSON_COMPACT) == 0;
@@ -103,8 +103,9 @@ static void finish_job(struct job *job, struct outcome *outcome, struct error *f
         rewind(stream);
         message = json_loadf(stream, 0, NULL);
     }
+    const char *scenes = json_string_value(json_object_get(message, "scenes"));
     *outcome = (struct outcome){json_incref(json_object_get(message, "result")),
-                                json_incref(json_object_get(message, "scenes"))};
+                                scenes ? strdup(scenes) : NULL};
     const char *text = json_string_value(json_object_get(message, "fault"));
     fault->text[0] = '\0';
     if (text)

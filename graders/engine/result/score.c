@@ -343,8 +343,8 @@ int score_trial(struct trial *trial, const struct submitter *submitter, struct o
     const struct exercise *exercise = trial->yardstick->inputs.exercise;
     struct decision decision = decide(trial);
     json_t *classes = json_array(), *checks = json_array(), *cases = json_array();
+    json_auto_t *scenes = json_object();
     double score = 0, max_score = 0;
-    outcome->scenes = json_object();
     for (int i = 0; i < exercise->class_count; i++) {
         if (!class_is_in_scope(trial, &exercise->classes[i]))
             continue;
@@ -359,7 +359,7 @@ int score_trial(struct trial *trial, const struct submitter *submitter, struct o
     }
     for (size_t i = 0; i < trial->yardstick->inputs.judge->case_count; i++)
         if (trial->cases[i].run)
-            json_array_append_new(cases, case_json(trial, i, submitter, outcome->scenes));
+            json_array_append_new(cases, case_json(trial, i, submitter, scenes));
     outcome->result = header_json(exercise, submitter, &decision);
     json_t *rest =
         json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:{s:b, s:s, s:o}, s:o, s:o, s:o, s:o, s:o}",
@@ -370,7 +370,9 @@ int score_trial(struct trial *trial, const struct submitter *submitter, struct o
                   text_json(trial->build.diagnostics), "output", text_json(trial->output),
                   "protections", protections_json(trial), "not_measured", not_measured_json(trial),
                   "submission", submission_json(trial), "engine", engine_json(trial));
-    if (!outcome->result || !rest || json_object_update(outcome->result, rest) != 0)
+    outcome->scenes = json_dumps(scenes, JSON_COMPACT | JSON_REAL_PRECISION(9));
+    if (!outcome->scenes || !outcome->result || !rest ||
+        json_object_update(outcome->result, rest) != 0)
         error_set(err, "out of memory for the result, or a text that is not UTF-8");
     json_decref(rest);
     return outcome->result && json_object_get(outcome->result, "engine") ? 0 : -1;
@@ -382,7 +384,7 @@ int score_without_trial(const struct exercise *exercise, const struct submitter 
 {
     struct decision decision = {verdict, refusal_cause(why), message_phrase(&why->message), NULL};
     json_t *score = verdict == VERDICT_FAULT ? json_null() : json_real(0);
-    outcome->scenes = json_object();
+    outcome->scenes = strdup("{}");
     outcome->result = header_json(exercise, submitter, &decision);
     json_t *rest = json_pack(
         "{s:o, s:o, s:[], s:[], s:[], s:{}, s:{s:b, s:s, s:s}, s:s, s:{s:[], s:{}}, s:[], "
@@ -391,7 +393,8 @@ int score_without_trial(const struct exercise *exercise, const struct submitter 
         "checks", "cases", "measures", "build", "ok", 0, "cause", why->cause, "diagnostics", "",
         "output", "", "protections", "active", "inactive", "not_measured", "submission", "files",
         "engine", "version", MESHGRADE_VERSION, "compiler", "gcc " __VERSION__, "seed", "");
-    if (!outcome->result || !rest || json_object_update(outcome->result, rest) != 0)
+    if (!outcome->scenes || !outcome->result || !rest ||
+        json_object_update(outcome->result, rest) != 0)
         error_set(err, "out of memory for the result, or a text that is not UTF-8");
     json_decref(rest);
     return outcome->result && json_object_get(outcome->result, "engine") ? 0 : -1;
@@ -400,6 +403,6 @@ int score_without_trial(const struct exercise *exercise, const struct submitter 
 void outcome_release(struct outcome *outcome)
 {
     json_decref(outcome->result);
-    json_decref(outcome->scenes);
+    free(outcome->scenes);
     *outcome = (struct outcome){NULL, NULL};
 }

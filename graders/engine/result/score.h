@@ -9,7 +9,7 @@
 /* What grading one submission gives. */
 struct outcome {
     json_t *result; /* meshgrade-result-1; owned */
-    json_t *scenes; /* object: case name -> scene; owned */
+    char *scenes;   /* JSON text of an object: case name -> scene; owned, by malloc */
 };
 
 struct submitter {

@@ -246,17 +246,17 @@ int store_put(struct store *store, const char *student_folder, const char *exerc
 {
     sqlite3_stmt *insert = NULL;
     char *result = json_dumps(outcome->result, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
-    char *scenes = json_dumps(outcome->scenes, JSON_COMPACT | JSON_REAL_PRECISION(9));
     char seal[STORE_DIGEST];
     int done = -1;
-    if (!result || !scenes) {
+    if (!result || !outcome->scenes) {
         error_set(err, "out of memory for a result");
     } else if (sqlite3_prepare_v2(store->database,
                                   "INSERT OR REPLACE INTO result VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
                                   -1, &insert, NULL) != SQLITE_OK) {
         complain(store, err);
     } else {
-        const char *values[COLUMNS] = {student_folder, exercise, digest, result, scenes, seal};
+        const char *values[COLUMNS] = {student_folder, exercise,        digest,
+                                       result,         outcome->scenes, seal};
         seal_row(values, seal);
         for (int i = 0; i < COLUMNS; i++)
             sqlite3_bind_text(insert, i + 1, values[i], -1, SQLITE_STATIC);
@@ -264,7 +264,6 @@ int store_put(struct store *store, const char *student_folder, const char *exerc
     }
     sqlite3_finalize(insert);
     free(result);
-    free(scenes);
     return done;
 }
 
