@@ -15,6 +15,11 @@ struct formula_mistake {
     struct phrase hint;
 };
 
+#define UNIT_VERTICES                                                                              \
+    {                                                                                              \
+        "vertices", "vértices"                                                                    \
+    }
+
 struct formula {
     const char *function;     /* "indexed_grid_bytes" */
     const char *parameter[2]; /* "m", "n"; the second is NULL when there is one parameter */

@@ -77,16 +77,10 @@ static const struct formula_mistake indexed_mistakes[] = {
     MISTAKES_END};
 static const struct formula bytes = {
     "strips_bytes", {"m", "n"}, {"bytes", "bytes"}, right_bytes, byte_mistakes};
-static const struct formula in_strips = {"strips_processed_vertices",
-                                         {"m", "n"},
-                                         {"vertices", "vértices"},
-                                         built_strips_vertices,
-                                         strips_mistakes};
-static const struct formula in_mesh = {"indexed_processed_vertices",
-                                       {"m", "n"},
-                                       {"vertices", "vértices"},
-                                       lattice_vertices,
-                                       indexed_mistakes};
+static const struct formula in_strips = {
+    "strips_processed_vertices", {"m", "n"}, UNIT_VERTICES, built_strips_vertices, strips_mistakes};
+static const struct formula in_mesh = {
+    "indexed_processed_vertices", {"m", "n"}, UNIT_VERTICES, lattice_vertices, indexed_mistakes};
 
 /* -------------------------------------------------------------------------------------- numbers */
 
