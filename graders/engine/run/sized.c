@@ -512,3 +512,11 @@ int sized_check_growth(struct trial *trial, struct error *err)
             return -1;
     return check_counts(trial, err);
 }
+
+int sized_check(struct trial *trial, struct error *err)
+{
+    bool right;
+    if (sized_check_memory(trial, &right, err) != 0)
+        return -1;
+    return right ? sized_check_growth(trial, err) : 0;
+}

@@ -12,4 +12,7 @@ int sized_check_memory(struct trial *trial, bool *right, struct error *err) MUST
 /* After the memory. Returns 0, or -1 and *err: a fault. */
 int sized_check_growth(struct trial *trial, struct error *err) MUST_CHECK;
 
+/* Both. */
+int sized_check(struct trial *trial, struct error *err) MUST_CHECK;
+
 #endif
