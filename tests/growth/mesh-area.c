@@ -49,6 +49,8 @@ static double work_of(const float *vertices, const int32_t *triangles, size_t co
     for (size_t i = 0; i < count; i++) {
         size_t first = EXTRA == 1 ? i % SHARE : 0, step = EXTRA == 1 ? SHARE : 1;
         size_t end = EXTRA == 1 ? count : EXTRA == 2 ? root * SHARE : EXTRA == 3 ? i / SHARE : 0;
+        if (EXTRA == 4) /* from SHARE triangles on, a further pass */
+            end = count >= SHARE ? 8 : 0;
         for (size_t j = first; j < end && j < count; j += step)
             sum += (double)vertices[3 * (size_t)triangles[3 * j]];
     }
