@@ -212,7 +212,7 @@ static bool check_header_name(struct scan *s)
 
 static bool check_word(struct scan *s)
 {
-    char word[64];
+    char word[64] = "";
     while (is_word(peek(&s->here))) {
         read_word(&s->here, word, sizeof word);
         s->in_include |= s->in_directive && names_headers(word);

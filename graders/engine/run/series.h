@@ -31,8 +31,8 @@ enum { SERIES_FOUND = 86 };
  * and must choose the same everywhere. Without all that a processor may have beyond x86-64-v2, and
  * without libc's preferences among what is left. tests/unit/test_pinned.c looks at what it chose. */
 #define SERIES_PINNED_FUNCTIONS                                                                    \
-    "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX,-AVX2,-AVX512F,-AVX512VL,-FMA,-FMA4,-SSSE3,-ERMS,-FSRM," \
-    "-AVX_Fast_Unaligned_Load,-Fast_Unaligned_Load,-Fast_Unaligned_Copy"
+    ("GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX,-AVX2,-AVX512F,-AVX512VL,-FMA,-FMA4,-SSSE3,-ERMS,"      \
+     "-FSRM,-AVX_Fast_Unaligned_Load,-Fast_Unaligned_Load,-Fast_Unaligned_Copy")
 
 /* What to start. Zero it, then fill it. */
 struct series_plan {

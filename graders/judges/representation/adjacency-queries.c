@@ -135,9 +135,9 @@ static int write_beside(const struct task *task, uint64_t seed, struct writer *b
     struct winged_edge_mesh we;
     if (neighbours_build(&task->polygons, &we, err))
         return -1;
-    struct list list = {
-        .queries = calloc((size_t)(3 * we.face_count + 3 * we.vertex_count + we.edge_count + 1),
-                          sizeof *list.queries)};
+    size_t most =
+        3 * (size_t)we.face_count + 3 * (size_t)we.vertex_count + (size_t)we.edge_count + 1;
+    struct list list = {.queries = calloc(most, sizeof *list.queries)};
     random_init(&list.rng, seed);
     int64_t kind = task->number[0], last = kind == ALL_KINDS ? NEIGHBOUR_KINDS - 1 : kind;
     for (kind = kind == ALL_KINDS ? 0 : kind; list.queries && kind <= last; kind++)
@@ -178,10 +178,12 @@ static int judge_queries(const struct task *task, const struct winged_edge_mesh 
     const struct answer_table *returned = &task->answer.table[0], *rows = &task->answer.table[1];
     int64_t count;
     const struct asked *asked = read_asked(task, we, &count);
-    if (!asked || count != rows->row_count)
+    if (!asked || count != rows->row_count) {
         judge_reject(out, &unanswered, "%" PRId64 " of %" PRId64 " queries were answered.",
                      "Se contestaron %" PRId64 " de %" PRId64 " consultas.", rows->row_count,
                      count);
+        return 0;
+    }
     for (int64_t i = 0; !out->cause[0] && i < count; i++) {
         const struct asked *one = &asked[i];
         const struct neighbour_asked query = {.faces = &task->polygons,
