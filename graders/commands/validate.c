@@ -9,6 +9,7 @@
 #include "graders/judges/table.h"
 #include "graders/known/stamps.h"
 #include "graders/known/submissions.h"
+#include "graders/known/wording.h"
 #include "reference/base/plural.h"
 
 #include <limits.h>
@@ -179,7 +180,8 @@ static int compare(struct plan *plan, struct subject *subject, struct store *sto
     json_t *result;
     if (store_find(store, upload->student_folder, exercise, NULL, &result, err) != 0)
         return -1;
-    finding->is_met = result && expectation_is_met(expected, result, why, sizeof why);
+    finding->is_met = result && expectation_is_met(expected, result, why, sizeof why) &&
+                      wording_is_sound(result, why, sizeof why);
     if (finding->left_out == 0)
         *is_whole &= json_array_size(json_object_get(result, "not_measured")) == 0;
     expectation_failed_classes(result, finding->failed, sizeof finding->failed);

@@ -241,8 +241,8 @@ static void reject_order(const struct reply *reply, const struct cycle_fault *fa
         struct message step;
         message_clear(&step);
         cycle_step_say(&fault->step, &step);
-        judge_en(out, "lists the right ones, but not in their order around the face.%s", step.en);
-        judge_es(out, "da los correctos, pero no en su orden alrededor de la cara.%s", step.es);
+        judge_en(out, "lists the right ones, but not in their order around the face. %s", step.en);
+        judge_es(out, "da los correctos, pero no en su orden alrededor de la cara. %s", step.es);
         mark(reply, &out->scene, MARK_WRONG, query->finds, fault->step.found);
         mark(reply, &out->scene, MARK_RIGHT, query->finds, fault->step.wanted);
     }
