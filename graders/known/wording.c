@@ -13,7 +13,7 @@ static const char *seam_at(const char *text, const char *at)
         return "a blank at an end";
     if (*at == ' ' && after == ' ')
         return "two blanks";
-    if (*at == ' ' && strchr(".,;", after))
+    if (*at == ' ' && strchr(".,;", after) && strncmp(at, " ...", 4) != 0)
         return "a blank before a stop";
     if (*at == '.' && islower((unsigned char)before) && isupper((unsigned char)after))
         return "no blank between sentences";
