@@ -49,7 +49,7 @@ static unsigned char *answer_region;
 static uintptr_t stack_top;
 static bool said_out_of_memory;
 static int64_t access_count;
-static int64_t prepared_live_bytes; /* of what was prepared: not the call's, though it lives on */
+static struct shim_counts prepared; /* what is live of it is not the call's */
 static char output_buffer[1 << 16];
 static unsigned char handler_stack[1 << 16];
 
@@ -136,19 +136,20 @@ void prepare_begin(void)
 
 void prepare_end(void)
 {
-    struct shim_counts prepared = shim_counts;
+    struct shim_counts now = shim_counts;
     shim_end();
-    if (prepared.peak_bytes > control->prepared_bytes)
-        control->prepared_bytes = prepared.peak_bytes;
-    control->prepared_count += prepared.allocation_count;
+    if (now.peak_bytes > control->prepared_bytes)
+        control->prepared_bytes = now.peak_bytes;
+    control->prepared_count += now.allocation_count;
     if (measurement == MEASURED) {
         shim_counts = of_call;
-        shim_counts.live_bytes = prepared.live_bytes;
-        shim_counts.live_blocks = prepared.live_blocks;
-        shim_counts.bad_free_count += prepared.bad_free_count;
+        shim_counts.live_bytes = now.live_bytes;
+        shim_counts.own_bytes = now.own_bytes;
+        shim_counts.own_blocks = now.own_blocks;
+        shim_counts.bad_free_count += now.bad_free_count;
         control->phase = PHASE_ANSWER;
     } else {
-        prepared_live_bytes = prepared.live_bytes;
+        prepared = now;
     }
 }
 
@@ -168,7 +169,7 @@ void measure_end(void)
     shim_end();
     if (fixed.mode & MODE_PAINT_STACK)
         control->stack_bytes = painted_over_bytes();
-    control->heap_held_bytes = shim_counts.live_bytes - prepared_live_bytes;
+    control->heap_held_bytes = shim_counts.own_bytes - prepared.own_bytes;
     control->access_count = access_count;
     control->phase = PHASE_ANSWER;
 }
@@ -227,7 +228,8 @@ static void forget_last_call(void)
     control->out_of_memory = 0;
     control->stack_bytes = 0;
     control->access_count = 0;
-    control->prepared_bytes = control->prepared_count = prepared_live_bytes = 0;
+    control->prepared_bytes = control->prepared_count = 0;
+    prepared = (struct shim_counts){0};
     control->refused_count = 0;
     control->tool_errors = 0;
     control->fault = FAULT_NONE;
@@ -264,9 +266,9 @@ static void do_call(void)
     fflush(stdout);
     ask_memcheck(&answer);
     counted_call_ends();
-    control->heap_peak_bytes = shim_counts.peak_bytes - prepared_live_bytes;
-    control->heap_left_bytes = shim_counts.live_bytes;
-    control->leaked_blocks = shim_counts.live_blocks;
+    control->heap_peak_bytes = shim_counts.peak_bytes - prepared.live_bytes;
+    control->heap_left_bytes = shim_counts.own_bytes;
+    control->leaked_blocks = shim_counts.own_blocks;
     control->allocation_count = shim_counts.allocation_count;
     control->refused_count = shim_counts.refused_count;
     control->bad_free_count = shim_counts.bad_free_count;

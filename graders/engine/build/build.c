@@ -6,6 +6,7 @@
 #include "graders/engine/build/directives.h"
 #include "graders/engine/build/policy.h"
 #include "graders/engine/build/screen.h"
+#include "graders/engine/build/wrapped.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -52,11 +53,6 @@ static const char *const program_names[PROGRAM_COUNT] = {"plain", "sanitized", "
 /* Gold links it in a third of the time: most of the other linker's goes into libasan's symbols. */
 #define CHOOSE_LINKER "fast=; [ -x /usr/bin/ld.gold ] && fast=-fuse-ld=gold\n"
 #define LINK_SANITIZED "gcc -fsanitize=address,undefined $fast"
-/* The names that graders/runner/shim.c defines. */
-#define WRAPPED                                                                                    \
-    "-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free,--wrap=aligned_alloc,"             \
-    "--wrap=posix_memalign,--wrap=memalign,--wrap=valloc"
-
 /* By these callgrind and its reader know the runner's functions (series.h): where a submission has
  * functions of the same name, they get another. */
 static const char *const runner_names[] = {"counted_call_ends", "run_call"};
@@ -188,7 +184,9 @@ static void write_script(const struct exercise *exercise, const struct source *s
     for (size_t i = 0; i < sizeof runner_names / sizeof *runner_names; i++)
         add(script, " --redefine-sym %s=its_own_%s", runner_names[i], runner_names[i]);
     add(script, " $o.o $o.kept.o || fail %d; done\n", STAGE_LINK);
-    add(script, "gcc -static " WRAPPED " runner-plain.o all.kept.o -lm -o plain || fail %d\n",
+    add(script,
+        "objcopy" WRAPPED_OBJECT " all.kept.o all.wrapped.o && "
+        "gcc -static " WRAPPED_LINK " runner-plain.o all.wrapped.o -lm -o plain || fail %d\n",
         STAGE_LINK);
     if (all)
         add(script,
