@@ -11,6 +11,7 @@
 #include "graders/runner/call.h"
 #include "graders/runner/seclude.h"
 #include "graders/runner/shim.h"
+#include "graders/runner/stack.h"
 #include "graders/wire/control.h"
 
 #include <errno.h>
@@ -21,6 +22,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
+#include <ucontext.h>
 #include <unistd.h>
 #ifdef RUNNER_WITHOUT_SHIM
 #include <valgrind/memcheck.h>
@@ -29,10 +31,8 @@
 enum {
     EXIT_MEASURED_TWICE = 98,
     PAGE = 4096,
-    PAINTED_BYTES = 12 << 20,
-    PAINT_GAP_BYTES = 512 /* the painting function's own frame */
+    STACK_MOST_BYTES = 15 << 20 /* of 16: above lie the arguments and the first frames */
 };
-static const uint64_t PAINT = 0xA5C3965A3C5A69C3u;
 
 static struct control *control;
 
@@ -55,14 +55,22 @@ static unsigned char handler_stack[1 << 16];
 
 /* ------------------------------------------------------------------ faults */
 
+/* Whether the function at fault has its frame where the stack has no room, wherever in the frame it
+ * wanted to write: a local array may be larger than all that lies below. */
+static bool is_past_stack(const ucontext_t *context)
+{
+    uintptr_t frame = (uintptr_t)context->uc_mcontext.gregs[REG_RSP];
+    return frame < stack_top && stack_top - frame > STACK_MOST_BYTES;
+}
+
 static void describe_fault(int signal_number, siginfo_t *info, void *context)
 {
-    (void)context;
     uintptr_t at = (uintptr_t)info->si_addr;
     uintptr_t input = (uintptr_t)input_region;
+    bool is_near = at < stack_top && stack_top - at < (uintptr_t)64 << 20;
     if (at < 65536)
         control->fault = FAULT_NULL;
-    else if (at < stack_top && stack_top - at < (uintptr_t)64 << 20)
+    else if (is_near || is_past_stack(context))
         control->fault = FAULT_STACK;
     else if (at >= input - PAGE && at < input + fixed.input_capacity + PAGE)
         control->fault = FAULT_INPUT;
@@ -84,32 +92,6 @@ static void watch_faults(void)
     (void)describe_fault;
     (void)handler_stack;
 #endif
-}
-
-/* ------------------------------------------------------------------- stack */
-
-/* Where the pattern begins. The frame that looks for it may lie deeper than the one that wrote it:
- * a call with many arguments can leave them on the stack until its caller returns. */
-static volatile uint64_t *paint_top;
-
-/* Writes a pattern below the present frame, from the top down as a stack grows. */
-__attribute__((noinline)) static void paint_stack(void)
-{
-    paint_top = (volatile uint64_t *)(((uintptr_t)__builtin_frame_address(0) - PAINT_GAP_BYTES) &
-                                      ~(uintptr_t)7);
-    for (size_t i = 1; i <= PAINTED_BYTES / sizeof *paint_top; i++)
-        paint_top[-(ptrdiff_t)i] = PAINT;
-}
-
-/* Bytes below that place where the pattern is gone. */
-static int64_t painted_over_bytes(void)
-{
-    size_t untouched = PAINTED_BYTES / sizeof *paint_top;
-    const volatile uint64_t *low = paint_top - untouched;
-    size_t i = 0;
-    while (i < untouched && low[i] == PAINT)
-        i++;
-    return (int64_t)((untouched - i) * sizeof *paint_top);
 }
 
 /* ----------------------------------------------------------------- measure */
@@ -157,18 +139,18 @@ void measure_begin(void)
 {
     pass_measurement(NOT_MEASURED, MEASURING);
     control->phase = PHASE_CALL;
-    if (fixed.mode & MODE_PAINT_STACK)
-        paint_stack();
     access_count = 0;
     shim_begin(fixed.heap_limit_bytes, control->failing_allocation);
+    if (fixed.mode & MODE_STACK)
+        stack_give_back();
 }
 
 void measure_end(void)
 {
     pass_measurement(MEASURING, MEASURED);
     shim_end();
-    if (fixed.mode & MODE_PAINT_STACK)
-        control->stack_bytes = painted_over_bytes();
+    if (fixed.mode & MODE_STACK)
+        control->stack_bytes = stack_used_bytes();
     control->heap_held_bytes = shim_counts.own_bytes - prepared.own_bytes;
     control->access_count = access_count;
     control->phase = PHASE_ANSWER;
@@ -248,6 +230,15 @@ static void ask_memcheck(const struct writer *answer)
 #endif
 }
 
+/* From the same place in a page whatever the addresses are: how many pages of the stack a call needs
+ * then repeats. */
+__attribute__((noinline)) static void call_aligned(struct reader *input, struct writer *answer)
+{
+    volatile char *room = __builtin_alloca((uintptr_t)__builtin_frame_address(0) % PAGE + 16);
+    room[0] = 0;
+    run_call(input, answer);
+}
+
 static void do_call(void)
 {
     uint64_t nonce = control->nonce;
@@ -261,9 +252,11 @@ static void do_call(void)
     struct writer answer = writer_into(answer_region, fixed.answer_capacity);
     forget_last_call();
     fence_input(start, input_bytes);
-    run_call(&input, &answer);
+    call_aligned(&input, &answer);
     pass_measurement(MEASURED, NOT_MEASURED);
     fflush(stdout);
+    if (fixed.mode & MODE_STACK)
+        stack_give_back(); /* what the next call uses is then seen from outside as well */
     ask_memcheck(&answer);
     counted_call_ends();
     control->heap_peak_bytes = shim_counts.peak_bytes - prepared.live_bytes;
@@ -348,9 +341,11 @@ int main(void)
         return EXIT_NOT_SECLUDED;
     setvbuf(stdout, output_buffer, _IOFBF, sizeof output_buffer); /* no allocation to be counted */
     watch_faults();
-    if (fixed.mode & MODE_PAINT_STACK)
-        paint_stack(); /* now, so that the first call is not what these pages become resident in */
-    finish_call(0);    /* ready, as after no call */
+    if (fixed.mode & MODE_STACK) {
+        stack_prepare();
+        stack_give_back();
+    }
+    finish_call(0); /* ready, as after no call */
     serve_calls();
     return 0;
 }
