@@ -313,12 +313,14 @@ static void *map_guarded(int descriptor, size_t bytes, int protection)
 }
 
 /* Sanitizers and memcheck leave the shim out, callgrind counts. */
-static bool is_in_tools(void)
+static enum secluded_in present_tool(void)
 {
+    if (fixed.mode & (MODE_COUNT | MODE_MEMCHECK))
+        return IN_VALGRIND;
 #ifdef RUNNER_WITHOUT_SHIM
-    return true;
+    return IN_SANITIZER;
 #else
-    return fixed.mode & MODE_COUNT;
+    return IN_NO_TOOL;
 #endif
 }
 
@@ -337,7 +339,7 @@ int main(void)
     answer_region = map_guarded(ANSWER_FD, fixed.answer_capacity, PROT_READ | PROT_WRITE);
     if (!input_region || !answer_region)
         return EXIT_NO_REGIONS;
-    if (seclude(is_in_tools()) != 0)
+    if (seclude(present_tool()) != 0)
         return EXIT_NOT_SECLUDED;
     setvbuf(stdout, output_buffer, _IOFBF, sizeof output_buffer); /* no allocation to be counted */
     watch_faults();
