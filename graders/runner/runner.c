@@ -199,6 +199,56 @@ static void fence_input(size_t start, size_t input_bytes)
 #endif
 }
 
+/* ------------------------------------------------------------------- unset */
+
+static uint32_t table_count; /* of the answer, as far as they were looked at */
+
+/* The first of these bytes that was never written; `bytes` when all were, or cannot be read. */
+static size_t first_unset(const unsigned char *at, size_t bytes)
+{
+#ifdef RUNNER_WITHOUT_SHIM
+    enum { CHUNK = 4096, GIVES_BITS = 1 };
+    static unsigned char unset[CHUNK]; /* a bit for each bit, 1: never written */
+    for (size_t done = 0; done < bytes; done += CHUNK) {
+        size_t count = bytes - done < CHUNK ? bytes - done : CHUNK;
+        if (VALGRIND_GET_VBITS(at + done, unset, count) != GIVES_BITS)
+            return bytes;
+        for (size_t i = 0; i < count; i++)
+            if (unset[i])
+                return done + i;
+    }
+#else
+    (void)at;
+#endif
+    return bytes;
+}
+
+/* memcheck ends the program at its first error, which a check makes. */
+static void look_for_unset(uint32_t table, const unsigned char *at, size_t bytes)
+{
+    size_t place = fixed.mode & MODE_MEMCHECK ? first_unset(at, bytes) : bytes;
+    if (place == bytes)
+        return;
+    control->unset_table = table;
+    control->unset_place = (int64_t)place + 1;
+#ifdef RUNNER_WITHOUT_SHIM
+    (void)VALGRIND_CHECK_MEM_IS_DEFINED(at + place, 1);
+#endif
+}
+
+void look_at_result(const void *result, size_t bytes)
+{
+    look_for_unset(0, result, bytes);
+}
+
+/* No answer is larger than the room for it. */
+void look_at_table(const void *table, size_t bytes)
+{
+    table_count++;
+    if (table && bytes <= fixed.answer_capacity)
+        look_for_unset(table_count, table, bytes);
+}
+
 /* ------------------------------------------------------------------- calls */
 
 static void forget_last_call(void)
@@ -215,6 +265,7 @@ static void forget_last_call(void)
     control->refused_count = 0;
     control->tool_errors = 0;
     control->fault = FAULT_NONE;
+    control->unset_place = table_count = 0;
 }
 
 static void ask_memcheck(const struct writer *answer)

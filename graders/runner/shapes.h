@@ -86,6 +86,7 @@ void answer_given(struct writer *answer, int64_t count, void *array, size_t row_
         measure_begin();                                                                           \
         double result = function(SHAPES_PASS(__VA_ARGS__));                                        \
         measure_end();                                                                             \
+        look_at_result(&result, sizeof result);                                                    \
         if (result == OUT_OF_MEMORY)                                                               \
             call_out_of_memory();                                                                  \
         else                                                                                       \
@@ -96,6 +97,7 @@ void answer_given(struct writer *answer, int64_t count, void *array, size_t row_
     measure_begin();                                                                               \
     int64_t result = what(__VA_ARGS__);                                                            \
     measure_end();                                                                                 \
+    look_at_result(&result, sizeof result);                                                        \
     if (result == OUT_OF_MEMORY) {                                                                 \
         call_out_of_memory();                                                                      \
         return;                                                                                    \

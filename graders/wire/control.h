@@ -84,6 +84,8 @@ struct control {
     int64_t stack_bytes;    /* with MODE_STACK */
     int64_t tool_errors;    /* with MODE_MEMCHECK: errors so far */
     uint32_t fault;         /* fault_kind */
+    uint32_t unset_table;   /* with MODE_MEMCHECK: where the answer was never written: 0 what was */
+    int64_t unset_place; /* returned, 1 the first table ...; and 1 + the first such byte; 0: none */
 };
 
 #endif
