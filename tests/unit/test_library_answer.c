@@ -59,11 +59,11 @@ static void the_row_is_named_and_not_the_value(void **state)
                                         "Is counting from 1?");
 }
 
-static void expect_place(const struct answer_rule *rule, uint32_t table, int64_t byte,
+static void expect_place(const struct answer_rule *declared, uint32_t table, int64_t byte,
                          const char *en, const char *es)
 {
     struct message place;
-    answer_place(rule, table, byte, &place);
+    answer_place(declared, table, byte, &place);
     assert_string_equal(place.en, en);
     assert_string_equal(place.es, es);
 }
