@@ -6,7 +6,7 @@
 const char *const calls_run[] = {
     "read", "readv", "pread64", "write", "writev", "pwrite64", "lseek", "close", "dup", "fstat",
     /* memory */
-    "brk", "mmap", "munmap", "mremap", "mprotect", "madvise",
+    "brk", "mmap", "munmap", "mremap", "mprotect", "madvise", "mincore",
     /* signals to itself */
     "rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "sigaltstack", "restart_syscall",
     /* start and end of a thread */

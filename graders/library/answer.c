@@ -134,6 +134,51 @@ static bool read_result(const struct answer_rule *rule, struct input_sizes sizes
     return !out->cause[0];
 }
 
+/* -------------------------------------------------------------------------------------- places */
+
+/* Which part the how-manieth table belongs to; NULL: none. *name gets the table's own. */
+static const struct answer_part *part_of_table(const struct answer_rule *rule, uint32_t table,
+                                               const char **name)
+{
+    for (int i = 0; i < ANSWER_PARTS && rule->parts[i].argument; i++) {
+        const struct answer_part *part = &rule->parts[i];
+        const char *const names[] = {part->rows == ROWS_OF_ROWS ? part->offsets : NULL,
+                                     part->values};
+        uint32_t tables = part->rows == ROWS_OF_ROWS ? 2 : 1;
+        if (table > tables) {
+            table -= tables;
+            continue;
+        }
+        *name = names[table - 1] ? names[table - 1] : part->argument;
+        return part;
+    }
+    return NULL;
+}
+
+void answer_place(const struct answer_rule *rule, uint32_t table, int64_t byte,
+                  struct message *place)
+{
+    const char *name = NULL;
+    const struct answer_part *part = rule && table > 0 ? part_of_table(rule, table, &name) : NULL;
+    if (table == 0 && rule) {
+        message_say(place, "what %s returns", "lo que devuelve %s", rule->function);
+    } else if (table == 0) {
+        message_say(place, "what the function returns", "lo que devuelve la función");
+    } else if (!part) {
+        message_say(place, "byte %" PRId64 " of array %" PRIu32 " of the answer",
+                    "el byte %" PRId64 " de la tabla %" PRIu32 " de la respuesta", byte, table);
+    } else {
+        int64_t cell = byte / (int64_t)value_bytes(part);
+        const char *column = part->column[cell % part->columns].name;
+        if (column)
+            message_say(place, "%s of row %" PRId64 " of %s", "%s de la fila %" PRId64 " de %s",
+                        column, cell / part->columns, name);
+        else
+            message_say(place, "entry %" PRId64 " of %s", "la entrada %" PRId64 " de %s", cell,
+                        name);
+    }
+}
+
 /* -------------------------------------------------------------------------------------- parts */
 
 /* One table of the packet. Returns its rows, NULL when there are none to look at. */

@@ -59,8 +59,9 @@ struct answer_column {
 };
 
 struct answer_part {
-    const char *argument; /* as the header writes it, "*edges"; NULL ends the list */
-    struct phrase row;    /* one row: {"edge", "arista"} */
+    const char *argument;         /* as the header writes it, "*edges"; NULL ends the list */
+    struct phrase row;            /* one row: {"edge", "arista"} */
+    const char *offsets, *values; /* of ROWS_OF_ROWS: its two tables by name; NULL: as argument */
     enum part_type type;
     int columns;                                 /* values a row; of ROWS_OF_ROWS: 1 */
     enum index_of of;                            /* of every column */
@@ -138,6 +139,15 @@ size_t answer_bound(const struct answer_rule *rule, struct input_sizes sizes);
  * range. Returns whether the judge can go on; otherwise `out` has the rejection. */
 bool answer_read(const struct answer_rule *rule, struct input_sizes sizes, struct span bytes,
                  struct answer *answer, struct judgement *out);
+
+/* Names a place in the tables of an answer, as the student knows it: "entry 3 of *edges", "vf of row
+ * 2 of *edges", "what edge_table_any returns".
+ *
+ * rule    NULL: the judge declares none
+ * table   0: what was returned; else the how-manieth table of the packet
+ * byte    of the table */
+void answer_place(const struct answer_rule *rule, uint32_t table, int64_t byte,
+                  struct message *place);
 
 /* Shorthands for tables of int32 and of floats and doubles: the value in a row and column, which must exist. */
 static inline int32_t answer_int(const struct answer_table *table, int64_t row, int column)

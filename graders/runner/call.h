@@ -29,6 +29,12 @@ void measure_begin(void);
 /* ... to here. Exactly one pair in a call of run_call. */
 void measure_end(void);
 
+/* Before what the student returned is written, or looked at: was it ever set? Under memcheck, which
+ * knows, these end the process when it was not, and say where; elsewhere they do nothing. Tables are
+ * looked at in the order of the answer; one that cannot be read as far as that is left to memcheck. */
+void look_at_result(const void *result, size_t bytes);
+void look_at_table(const void *table, size_t bytes);
+
 /* An exercise that builds a structure and is then asked queries has both measured apart: a call is
  * either a building or a round of queries (the case's number says which). For queries the runner
  * builds first, in a function that is called run_prepare and is not inlined, between these two: that

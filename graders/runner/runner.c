@@ -11,6 +11,7 @@
 #include "graders/runner/call.h"
 #include "graders/runner/seclude.h"
 #include "graders/runner/shim.h"
+#include "graders/runner/stack.h"
 #include "graders/wire/control.h"
 
 #include <errno.h>
@@ -21,6 +22,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
+#include <ucontext.h>
 #include <unistd.h>
 #ifdef RUNNER_WITHOUT_SHIM
 #include <valgrind/memcheck.h>
@@ -29,10 +31,8 @@
 enum {
     EXIT_MEASURED_TWICE = 98,
     PAGE = 4096,
-    PAINTED_BYTES = 12 << 20,
-    PAINT_GAP_BYTES = 512 /* the painting function's own frame */
+    STACK_MOST_BYTES = 15 << 20 /* of 16: above lie the arguments and the first frames */
 };
-static const uint64_t PAINT = 0xA5C3965A3C5A69C3u;
 
 static struct control *control;
 
@@ -49,20 +49,28 @@ static unsigned char *answer_region;
 static uintptr_t stack_top;
 static bool said_out_of_memory;
 static int64_t access_count;
-static int64_t prepared_live_bytes; /* of what was prepared: not the call's, though it lives on */
+static struct shim_counts prepared; /* what is live of it is not the call's */
 static char output_buffer[1 << 16];
 static unsigned char handler_stack[1 << 16];
 
 /* ------------------------------------------------------------------ faults */
 
+/* Whether the function at fault has its frame where the stack has no room, wherever in the frame it
+ * wanted to write: a local array may be larger than all that lies below. */
+static bool is_past_stack(const ucontext_t *context)
+{
+    uintptr_t frame = (uintptr_t)context->uc_mcontext.gregs[REG_RSP];
+    return frame < stack_top && stack_top - frame > STACK_MOST_BYTES;
+}
+
 static void describe_fault(int signal_number, siginfo_t *info, void *context)
 {
-    (void)context;
     uintptr_t at = (uintptr_t)info->si_addr;
     uintptr_t input = (uintptr_t)input_region;
+    bool is_near = at < stack_top && stack_top - at < (uintptr_t)64 << 20;
     if (at < 65536)
         control->fault = FAULT_NULL;
-    else if (at < stack_top && stack_top - at < (uintptr_t)64 << 20)
+    else if (is_near || is_past_stack(context))
         control->fault = FAULT_STACK;
     else if (at >= input - PAGE && at < input + fixed.input_capacity + PAGE)
         control->fault = FAULT_INPUT;
@@ -84,32 +92,6 @@ static void watch_faults(void)
     (void)describe_fault;
     (void)handler_stack;
 #endif
-}
-
-/* ------------------------------------------------------------------- stack */
-
-/* Where the pattern begins. The frame that looks for it may lie deeper than the one that wrote it:
- * a call with many arguments can leave them on the stack until its caller returns. */
-static volatile uint64_t *paint_top;
-
-/* Writes a pattern below the present frame, from the top down as a stack grows. */
-__attribute__((noinline)) static void paint_stack(void)
-{
-    paint_top = (volatile uint64_t *)(((uintptr_t)__builtin_frame_address(0) - PAINT_GAP_BYTES) &
-                                      ~(uintptr_t)7);
-    for (size_t i = 1; i <= PAINTED_BYTES / sizeof *paint_top; i++)
-        paint_top[-(ptrdiff_t)i] = PAINT;
-}
-
-/* Bytes below that place where the pattern is gone. */
-static int64_t painted_over_bytes(void)
-{
-    size_t untouched = PAINTED_BYTES / sizeof *paint_top;
-    const volatile uint64_t *low = paint_top - untouched;
-    size_t i = 0;
-    while (i < untouched && low[i] == PAINT)
-        i++;
-    return (int64_t)((untouched - i) * sizeof *paint_top);
 }
 
 /* ----------------------------------------------------------------- measure */
@@ -136,19 +118,20 @@ void prepare_begin(void)
 
 void prepare_end(void)
 {
-    struct shim_counts prepared = shim_counts;
+    struct shim_counts now = shim_counts;
     shim_end();
-    if (prepared.peak_bytes > control->prepared_bytes)
-        control->prepared_bytes = prepared.peak_bytes;
-    control->prepared_count += prepared.allocation_count;
+    if (now.peak_bytes > control->prepared_bytes)
+        control->prepared_bytes = now.peak_bytes;
+    control->prepared_count += now.allocation_count;
     if (measurement == MEASURED) {
         shim_counts = of_call;
-        shim_counts.live_bytes = prepared.live_bytes;
-        shim_counts.live_blocks = prepared.live_blocks;
-        shim_counts.bad_free_count += prepared.bad_free_count;
+        shim_counts.live_bytes = now.live_bytes;
+        shim_counts.own_bytes = now.own_bytes;
+        shim_counts.own_blocks = now.own_blocks;
+        shim_counts.bad_free_count += now.bad_free_count;
         control->phase = PHASE_ANSWER;
     } else {
-        prepared_live_bytes = prepared.live_bytes;
+        prepared = now;
     }
 }
 
@@ -156,19 +139,19 @@ void measure_begin(void)
 {
     pass_measurement(NOT_MEASURED, MEASURING);
     control->phase = PHASE_CALL;
-    if (fixed.mode & MODE_PAINT_STACK)
-        paint_stack();
     access_count = 0;
     shim_begin(fixed.heap_limit_bytes, control->failing_allocation);
+    if (fixed.mode & MODE_STACK)
+        stack_give_back();
 }
 
 void measure_end(void)
 {
     pass_measurement(MEASURING, MEASURED);
     shim_end();
-    if (fixed.mode & MODE_PAINT_STACK)
-        control->stack_bytes = painted_over_bytes();
-    control->heap_held_bytes = shim_counts.live_bytes - prepared_live_bytes;
+    if (fixed.mode & MODE_STACK)
+        control->stack_bytes = stack_used_bytes();
+    control->heap_held_bytes = shim_counts.own_bytes - prepared.own_bytes;
     control->access_count = access_count;
     control->phase = PHASE_ANSWER;
 }
@@ -216,6 +199,56 @@ static void fence_input(size_t start, size_t input_bytes)
 #endif
 }
 
+/* ------------------------------------------------------------------- unset */
+
+static uint32_t table_count; /* of the answer, as far as they were looked at */
+
+/* The first of these bytes that was never written; `bytes` when all were, or cannot be read. */
+static size_t first_unset(const unsigned char *at, size_t bytes)
+{
+#ifdef RUNNER_WITHOUT_SHIM
+    enum { CHUNK = 4096, GIVES_BITS = 1 };
+    static unsigned char unset[CHUNK]; /* a bit for each bit, 1: never written */
+    for (size_t done = 0; done < bytes; done += CHUNK) {
+        size_t count = bytes - done < CHUNK ? bytes - done : CHUNK;
+        if (VALGRIND_GET_VBITS(at + done, unset, count) != GIVES_BITS)
+            return bytes;
+        for (size_t i = 0; i < count; i++)
+            if (unset[i])
+                return done + i;
+    }
+#else
+    (void)at;
+#endif
+    return bytes;
+}
+
+/* memcheck ends the program at its first error, which a check makes. */
+static void look_for_unset(uint32_t table, const unsigned char *at, size_t bytes)
+{
+    size_t place = fixed.mode & MODE_MEMCHECK ? first_unset(at, bytes) : bytes;
+    if (place == bytes)
+        return;
+    control->unset_table = table;
+    control->unset_place = (int64_t)place + 1;
+#ifdef RUNNER_WITHOUT_SHIM
+    (void)VALGRIND_CHECK_MEM_IS_DEFINED(at + place, 1);
+#endif
+}
+
+void look_at_result(const void *result, size_t bytes)
+{
+    look_for_unset(0, result, bytes);
+}
+
+/* No answer is larger than the room for it. */
+void look_at_table(const void *table, size_t bytes)
+{
+    table_count++;
+    if (table && bytes <= fixed.answer_capacity)
+        look_for_unset(table_count, table, bytes);
+}
+
 /* ------------------------------------------------------------------- calls */
 
 static void forget_last_call(void)
@@ -227,10 +260,12 @@ static void forget_last_call(void)
     control->out_of_memory = 0;
     control->stack_bytes = 0;
     control->access_count = 0;
-    control->prepared_bytes = control->prepared_count = prepared_live_bytes = 0;
+    control->prepared_bytes = control->prepared_count = 0;
+    prepared = (struct shim_counts){0};
     control->refused_count = 0;
     control->tool_errors = 0;
     control->fault = FAULT_NONE;
+    control->unset_place = table_count = 0;
 }
 
 static void ask_memcheck(const struct writer *answer)
@@ -246,6 +281,15 @@ static void ask_memcheck(const struct writer *answer)
 #endif
 }
 
+/* From the same place in a page whatever the addresses are: how many pages of the stack a call needs
+ * then repeats. */
+__attribute__((noinline)) static void call_aligned(struct reader *input, struct writer *answer)
+{
+    volatile char *room = __builtin_alloca((uintptr_t)__builtin_frame_address(0) % PAGE + 16);
+    room[0] = 0;
+    run_call(input, answer);
+}
+
 static void do_call(void)
 {
     uint64_t nonce = control->nonce;
@@ -259,14 +303,16 @@ static void do_call(void)
     struct writer answer = writer_into(answer_region, fixed.answer_capacity);
     forget_last_call();
     fence_input(start, input_bytes);
-    run_call(&input, &answer);
+    call_aligned(&input, &answer);
     pass_measurement(MEASURED, NOT_MEASURED);
     fflush(stdout);
+    if (fixed.mode & MODE_STACK)
+        stack_give_back(); /* what the next call uses is then seen from outside as well */
     ask_memcheck(&answer);
     counted_call_ends();
-    control->heap_peak_bytes = shim_counts.peak_bytes - prepared_live_bytes;
-    control->heap_left_bytes = shim_counts.live_bytes;
-    control->leaked_blocks = shim_counts.live_blocks;
+    control->heap_peak_bytes = shim_counts.peak_bytes - prepared.live_bytes;
+    control->heap_left_bytes = shim_counts.own_bytes;
+    control->leaked_blocks = shim_counts.own_blocks;
     control->allocation_count = shim_counts.allocation_count;
     control->refused_count = shim_counts.refused_count;
     control->bad_free_count = shim_counts.bad_free_count;
@@ -318,12 +364,14 @@ static void *map_guarded(int descriptor, size_t bytes, int protection)
 }
 
 /* Sanitizers and memcheck leave the shim out, callgrind counts. */
-static bool is_in_tools(void)
+static enum secluded_in present_tool(void)
 {
+    if (fixed.mode & (MODE_COUNT | MODE_MEMCHECK))
+        return IN_VALGRIND;
 #ifdef RUNNER_WITHOUT_SHIM
-    return true;
+    return IN_SANITIZER;
 #else
-    return fixed.mode & MODE_COUNT;
+    return IN_NO_TOOL;
 #endif
 }
 
@@ -342,13 +390,15 @@ int main(void)
     answer_region = map_guarded(ANSWER_FD, fixed.answer_capacity, PROT_READ | PROT_WRITE);
     if (!input_region || !answer_region)
         return EXIT_NO_REGIONS;
-    if (seclude(is_in_tools()) != 0)
+    if (seclude(present_tool()) != 0)
         return EXIT_NOT_SECLUDED;
     setvbuf(stdout, output_buffer, _IOFBF, sizeof output_buffer); /* no allocation to be counted */
     watch_faults();
-    if (fixed.mode & MODE_PAINT_STACK)
-        paint_stack(); /* now, so that the first call is not what these pages become resident in */
-    finish_call(0);    /* ready, as after no call */
+    if (fixed.mode & MODE_STACK) {
+        stack_prepare();
+        stack_give_back();
+    }
+    finish_call(0); /* ready, as after no call */
     serve_calls();
     return 0;
 }

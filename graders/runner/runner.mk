@@ -12,7 +12,11 @@ RUNNER_CALLS := $(patsubst graders/runner/%.c,%,$(wildcard graders/runner/*/*.c)
 FLAVOURS := plain sanitized checked
 RUNNERS := $(foreach f,$(FLAVOURS),$(RUNNER_CALLS:%=build/runner/%.$(f).o))
 SHIM := malloc calloc realloc free aligned_alloc posix_memalign memalign valloc
-RUNNER_NAMES := main $(SHIM:%=__wrap_%) __ubsan_default_options
+# What the student's own requests are renamed to (graders/engine/build/wrapped.h).
+STUDENT := $(filter-out free,$(SHIM)) reallocarray malloc_usable_size strdup __strdup strndup __strndup \
+  wcsdup getline getdelim __getdelim asprintf __asprintf __asprintf_chk vasprintf __vasprintf_chk \
+  open_memstream open_wmemstream fmemopen fclose tsearch
+RUNNER_NAMES := main $(SHIM:%=__wrap_%) $(STUDENT:%=student_%) __ubsan_default_options
 
 # The call of an exercise, graders/runner/<group>/<name>.c, sees the exercise's own header.
 RUNNER_HEADER = $(patsubst graders/runner/%.c,-Iexercises/%,$(filter graders/runner/%,$<))

@@ -3,15 +3,19 @@
 #ifndef GRADERS_RUNNER_SECLUDE_H
 #define GRADERS_RUNNER_SECLUDE_H
 
-#include <stdbool.h>
+/* What else runs in the process. */
+enum secluded_in { IN_NO_TOOL, IN_VALGRIND, IN_SANITIZER };
 
 /* Closes the descriptors of the shared regions, which are mapped by now; clears the environment,
  * which tells of tools and their settings, and leaves the same three variables everywhere.
  *
- * in_tools  the process is in a tools box: from now on the system call exec kills it, so that no
- *           program can be started anew without the tool or with other settings of it, and so do
- *           chdir and fchdir, after which valgrind would write somewhere else
+ * In a tool it then gives calls up, for good: exec kills the process, so that no program can be
+ * started anew without the tool or with other settings of it; so do chdir and fchdir, after which
+ * valgrind would write somewhere else; and prctl, seccomp, pipes and changes of limits, by which a
+ * tool's end could be turned into a signal, and survived. In a sanitizer handlers can be set of no
+ * signals but those of the program's own faults.
+ *
  * returns   0, or -1: the kernel refused */
-int seclude(bool in_tools);
+int seclude(enum secluded_in where);
 
 #endif

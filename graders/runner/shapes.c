@@ -129,14 +129,37 @@ void *given_array(int64_t count, size_t row_bytes)
     return keep(bytes ? bytes : 1);
 }
 
+#ifdef RUNNER_WITHOUT_SHIM
+int32_t *lend_room(int32_t *place, int32_t capacity)
+{
+    int32_t *lent = malloc(capacity > 0 ? (size_t)capacity * sizeof *lent : 1);
+    return lent ? lent : place;
+}
+
+void take_room(int32_t *place, int32_t *lent, int32_t used)
+{
+    if (lent == place)
+        return;
+    memcpy(place, lent, (size_t)used * sizeof *lent);
+    free(lent);
+}
+#endif
+
 bool answer_result(struct writer *answer, int64_t result)
 {
     write_int(answer, result);
     return result >= 0;
 }
 
+static void look_at_rows(const void *table, int64_t count, size_t row_bytes)
+{
+    bool is_wild = count < 0 || (uint64_t)count > SIZE_MAX / row_bytes;
+    look_at_table(table, is_wild ? 0 : (size_t)count * row_bytes);
+}
+
 void answer_table(struct writer *answer, int64_t count, void *table, size_t row_bytes)
 {
+    look_at_rows(table, count, row_bytes);
     write_table(answer, table, count, row_bytes);
     free(table);
 }
@@ -147,8 +170,10 @@ void answer_table(struct writer *answer, int64_t count, void *table, size_t row_
 void answer_rows(struct writer *answer, int64_t count, int32_t *first, int32_t *values)
 {
     size_t before = answer->count;
+    look_at_rows(first, count > 0 ? count + 1 : 0, sizeof *first);
     write_table(answer, first, count > 0 ? count + 1 : 0, sizeof *first);
     bool copied = answer->count - before > 2 * sizeof(int64_t);
+    look_at_rows(values, copied ? first[count] : 0, sizeof *values);
     write_table(answer, values, copied ? first[count] : 0, sizeof *values);
     free(first);
     free(values);
@@ -156,5 +181,6 @@ void answer_rows(struct writer *answer, int64_t count, int32_t *first, int32_t *
 
 void answer_given(struct writer *answer, int64_t count, void *array, size_t row_bytes)
 {
+    look_at_rows(array, count, row_bytes);
     write_table(answer, array, count, row_bytes);
 }

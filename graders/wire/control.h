@@ -28,9 +28,9 @@ enum { NOT_READY = UINT32_MAX };
 
 enum runner_mode {
     MODE_PLAIN = 0,
-    MODE_COUNT = 1,      /* under callgrind */
-    MODE_MEMCHECK = 2,   /* under memcheck: report its error count after each call */
-    MODE_PAINT_STACK = 4 /* measure the stack */
+    MODE_COUNT = 1,    /* under callgrind */
+    MODE_MEMCHECK = 2, /* under memcheck: report its error count after each call */
+    MODE_STACK = 4     /* measure the stack */
 };
 
 /* Where the runner stood last, so that a crash can be told apart. */
@@ -81,9 +81,11 @@ struct control {
     int64_t prepared_bytes; /* most bytes live at once in what was prepared before the call */
     int64_t prepared_count; /* allocations of that */
     int64_t access_count;   /* calls of functions that the exercise gives, during the call */
-    int64_t stack_bytes;    /* with MODE_PAINT_STACK */
+    int64_t stack_bytes;    /* with MODE_STACK */
     int64_t tool_errors;    /* with MODE_MEMCHECK: errors so far */
     uint32_t fault;         /* fault_kind */
+    uint32_t unset_table;   /* with MODE_MEMCHECK: where the answer was never written: 0 what was */
+    int64_t unset_place; /* returned, 1 the first table ...; and 1 + the first such byte; 0: none */
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "tests/unit/known_program.h"
 
 #include "graders/engine/base/files.h"
+#include "graders/engine/build/wrapped.h"
 
 #include <fcntl.h>
 #include <setjmp.h>
@@ -17,14 +18,13 @@
 enum { ANSWER_BYTES = 4096, MEMORY_BYTES = 256 << 20, CPU_SECONDS = 30 };
 
 static const char COMMAND[] =
-    "cd '%s' && gcc -O1 -w -static %s -I'%s/exercises/edges/edge-table-any' known.c "
-    "'%s/build/runner/edges/edge-table-any.plain.o' -o known -Wl,--wrap=malloc,--wrap=calloc,"
-    "--wrap=realloc,--wrap=free,--wrap=aligned_alloc,--wrap=posix_memalign,--wrap=memalign,"
-    "--wrap=valloc";
+    "cd '%s' && gcc -O1 -w -static %s -I'%s/exercises/edges/edge-table-any' -c known.c -o known.o "
+    "&& objcopy" WRAPPED_OBJECT " known.o && gcc -static known.o "
+    "'%s/build/runner/edges/edge-table-any.plain.o' -o known " WRAPPED_LINK;
 
 void known_program_build(struct known_program *program, const char *source, const char *options)
 {
-    char path[PATH_MAX + 16], command[3 * PATH_MAX];
+    char path[PATH_MAX + 16], command[4 * PATH_MAX];
     struct error err = {""};
     const char *root = project_root(&err);
     assert_non_null(root);

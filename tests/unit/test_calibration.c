@@ -1,5 +1,5 @@
 /* Is memory measured right? Known allocations of every kind, against each method that can see them:
- * the shim (heap, to the byte), the painted stack, the object's sections, and the resident peak
+ * the shim (heap, to the byte), the stack's pages, the object's sections, and the resident peak
  * that the engine reads from outside, which sees all kinds, also memory mapped past malloc. */
 #include "graders/engine/base/files.h"
 #include "graders/engine/run/attempt.h"
@@ -81,7 +81,7 @@ static void stack_is_within_two_percent(void **state)
 {
     (void)state;
     int64_t resident;
-    struct control claims = measure(STACK, 8 * MIB, MODE_PAINT_STACK, &resident);
+    struct control claims = measure(STACK, 8 * MIB, MODE_STACK, &resident);
     assert_near_bytes(claims.stack_bytes, 8 * MIB);
 }
 

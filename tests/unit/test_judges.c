@@ -69,7 +69,7 @@ static void each_runner_gives_what_its_exercise_says(void **state)
         int found = 0;
         snprintf(command, sizeof command,
                  "nm -g --defined-only build/runner/%s/%s.plain.o | awk '{print $3}' | "
-                 "grep -v '^main$\\|^__wrap_\\|^__ubsan_default_options$'",
+                 "grep -v '^main$\\|^__wrap_\\|^student_\\|^__ubsan_default_options$'",
                  exercise->group, exercise->name);
         FILE *names = popen(command, "r");
         assert_non_null(names);

@@ -59,9 +59,44 @@ static void the_row_is_named_and_not_the_value(void **state)
                                         "Is counting from 1?");
 }
 
+static void expect_place(const struct answer_rule *declared, uint32_t table, int64_t byte,
+                         const char *en, const char *es)
+{
+    struct message place;
+    answer_place(declared, table, byte, &place);
+    assert_string_equal(place.en, en);
+    assert_string_equal(place.es, es);
+}
+
+static void places_are_named_as_the_student_knows_them(void **state)
+{
+    (void)state;
+    static const struct answer_rule rows = {
+        .function = "loops",
+        .parts = {{.argument = "*first or *values",
+                   .offsets = "*first",
+                   .values = "*values",
+                   .columns = 1,
+                   .rows = ROWS_OF_ROWS},
+                  {.argument = "*edges",
+                   .columns = 2,
+                   .type = TYPE_DOUBLE,
+                   .column = {{.name = "vi"}, {.name = "vf"}}}}};
+    expect_place(&rows, 0, 0, "what loops returns", "lo que devuelve loops");
+    expect_place(&rows, 1, 5, "entry 1 of *first", "la entrada 1 de *first");
+    expect_place(&rows, 2, 40, "entry 10 of *values", "la entrada 10 de *values");
+    expect_place(&rows, 3, 56, "vf of row 3 of *edges", "vf de la fila 3 de *edges");
+    expect_place(&rows, 4, 9, "byte 9 of array 4 of the answer",
+                 "el byte 9 de la tabla 4 de la respuesta");
+    expect_place(NULL, 1, 9, "byte 9 of array 1 of the answer",
+                 "el byte 9 de la tabla 1 de la respuesta");
+    expect_place(NULL, 0, 0, "what the function returns", "lo que devuelve la función");
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(no_row_needs_no_table),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(places_are_named_as_the_student_knows_them),
+                                       cmocka_unit_test(no_row_needs_no_table),
                                        cmocka_unit_test(the_row_is_named_and_not_the_value)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,6 +6,7 @@
 #include "graders/engine/build/directives.h"
 #include "graders/engine/build/policy.h"
 #include "graders/engine/build/screen.h"
+#include "graders/engine/build/wrapped.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -52,11 +53,6 @@ static const char *const program_names[PROGRAM_COUNT] = {"plain", "sanitized", "
 /* Gold links it in a third of the time: most of the other linker's goes into libasan's symbols. */
 #define CHOOSE_LINKER "fast=; [ -x /usr/bin/ld.gold ] && fast=-fuse-ld=gold\n"
 #define LINK_SANITIZED "gcc -fsanitize=address,undefined $fast"
-/* The names that graders/runner/shim.c defines. */
-#define WRAPPED                                                                                    \
-    "-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free,--wrap=aligned_alloc,"             \
-    "--wrap=posix_memalign,--wrap=memalign,--wrap=valloc"
-
 /* By these callgrind and its reader know the runner's functions (series.h): where a submission has
  * functions of the same name, they get another. */
 static const char *const runner_names[] = {"counted_call_ends", "run_call"};
@@ -143,6 +139,21 @@ static void add_probe(struct script *script)
         STAGE_TOOLS);
 }
 
+/* Compiles NUMBER.i for the sanitizers. For these an overflow in a constant is none: a label as
+ * `case 1 << 31:` is an error for them alone. Such a file goes without what sees overflows. */
+static void add_sanitize(struct script *script)
+{
+    add(script, "sanitize() {\n"
+                "for off in '' shift shift,signed-integer-overflow undefined; do\n"
+                "gcc " COMMON_FLAGS " " SANITIZED_FLAGS " ${off:+-fno-sanitize=$off} "
+                "-w -fpreprocessed -c $1.i -o $1.s.o 2>.sanitize && return\n"
+                "grep -q 'constant\\|variably' .sanitize || break\n"
+                "done\n"
+                "cat .sanitize >&2\n"
+                "return 1\n"
+                "}\n");
+}
+
 static bool is_c_file(const char *name)
 {
     size_t length = strlen(name);
@@ -159,10 +170,7 @@ static void add_compilation(struct script *script, const char *name, int number,
         "gcc " COMMON_FLAGS " " PLAIN_FLAGS " %s -fpreprocessed -c %d.i -o %d.o || fail %d\n",
         compiler_liberties(), number, number, STAGE_COMPILE);
     if (sanitized)
-        add(script,
-            "gcc " COMMON_FLAGS " " SANITIZED_FLAGS
-            " -w -fpreprocessed -c %d.i -o %d.s.o || fail %d\n",
-            number, number, STAGE_COMPILE);
+        add(script, "sanitize %d || fail %d\n", number, STAGE_COMPILE);
     for (int i = 0; i < 2; i++) {
         size_t used = strlen(objects[i]);
         snprintf(objects[i] + used, sizeof objects[i] - used, i == 0 ? " %d.o" : " %d.s.o", number);
@@ -176,6 +184,7 @@ static void write_script(const struct exercise *exercise, const struct source *s
     bool all = extent == BUILD_ALL;
     add(script, CHOOSE_LINKER);
     add_probe(script);
+    add_sanitize(script);
     for (int i = 0; i < count; i++)
         if (is_c_file(sources[i].name))
             add_compilation(script, sources[i].name, i, all, objects);
@@ -188,7 +197,9 @@ static void write_script(const struct exercise *exercise, const struct source *s
     for (size_t i = 0; i < sizeof runner_names / sizeof *runner_names; i++)
         add(script, " --redefine-sym %s=its_own_%s", runner_names[i], runner_names[i]);
     add(script, " $o.o $o.kept.o || fail %d; done\n", STAGE_LINK);
-    add(script, "gcc -static " WRAPPED " runner-plain.o all.kept.o -lm -o plain || fail %d\n",
+    add(script,
+        "objcopy" WRAPPED_OBJECT " all.kept.o all.wrapped.o && "
+        "gcc -static " WRAPPED_LINK " runner-plain.o all.wrapped.o -lm -o plain || fail %d\n",
         STAGE_LINK);
     if (all)
         add(script,

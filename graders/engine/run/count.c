@@ -53,7 +53,7 @@ static int start(struct measuring *m, struct error *err)
     struct series_plan plan = {.inputs = m->inputs,
                                .build = m->build,
                                .tool = m->tool,
-                               .mode = m->tool == SERIES_PLAIN ? MODE_PAINT_STACK : MODE_PLAIN,
+                               .mode = m->tool == SERIES_PLAIN ? MODE_STACK : MODE_PLAIN,
                                .cpu = -1};
     for (int family = sizes->first_family; family <= sizes->last_family; family++)
         for (int i = sizes->first; i <= sizes->last; i++) {

@@ -1,16 +1,17 @@
 /* What does the function do when memory runs out? Some cases again, with one allocation after the
- * other refused: it must say so in the documented way (or do without), neither crash nor leak. */
+ * other refused, of many a sample: it must say so in the documented way (or do without), neither crash nor leak. */
 #include "graders/engine/run/sweep.h"
 
 #include "graders/engine/run/series.h"
 #include "reference/base/plural.h"
+#include "reference/base/random.h"
 
 #include <string.h>
 
 static const struct cause refused_allocation = {"allocation-failure",
                                                 {"refused allocation", "reserva denegada"}};
 
-enum { CASES_MAX = 4, FAILURES_MAX = 16, INPUT_BYTES_MAX = 1 << 18 };
+enum { CASES_MAX = 4, INPUT_BYTES_MAX = 1 << 18 };
 static const struct call_limits limits = {5000000000LL, 2000000000LL};
 
 /* Chooses small cases with right answers that allocate, no two of the same class. */
@@ -68,11 +69,33 @@ static int judge_call(struct trial *trial, const struct series *series, size_t i
     return 0;
 }
 
+int sweep_choose(int64_t allocations, uint64_t seed, int64_t chosen[SWEEP_MOST])
+{
+    struct random rng;
+    const int64_t rest = allocations - SWEEP_FIRST;
+    int count = 0;
+    random_init(&rng, seed);
+    const int first = allocations > SWEEP_MOST ? SWEEP_FIRST : (int)allocations;
+    for (; count < first; count++)
+        chosen[count] = count + 1;
+    int parity = (int)random_below(&rng, 2);
+    for (int part = 0; part < SWEEP_FIRST && allocations > SWEEP_MOST; part++) {
+        int64_t low = SWEEP_FIRST + 1 + rest * part / SWEEP_FIRST;
+        int64_t end = SWEEP_FIRST + 1 + rest * (part + 1) / SWEEP_FIRST;
+        int64_t drawn = low + (int64_t)random_below(&rng, (uint64_t)(end - low));
+        if (drawn % 2 != (part + parity) % 2)
+            drawn = drawn + 1 < end ? drawn + 1 : drawn > low ? drawn - 1 : drawn;
+        chosen[count++] = drawn;
+    }
+    return count;
+}
+
 static int sweep_case(struct trial *trial, size_t index, struct error *err)
 {
     const struct input *input = &trial->yardstick->inputs.cases[index];
     int64_t allocations = trial->cases[index].attempt.claims.allocation_count;
-    int64_t step = allocations > FAILURES_MAX ? allocations / FAILURES_MAX : 1;
+    int64_t failing[SWEEP_MOST];
+    int count = sweep_choose(allocations, trial->yardstick->inputs.seed + index, failing);
     struct series series;
     struct series_plan plan = {.inputs = &trial->yardstick->inputs,
                                .build = &trial->build,
@@ -82,10 +105,10 @@ static int sweep_case(struct trial *trial, size_t index, struct error *err)
                                .cpu = -1};
     struct attempt last = {0};
     int result = series_start(&series, &plan, err);
-    for (int64_t failing = 1; failing <= allocations && result == 0; failing += step) {
+    for (int i = 0; i < count && result == 0; i++) {
         struct attempt attempt = {0};
-        series_call(&series, input, failing, &limits, &attempt);
-        result = judge_call(trial, &series, index, failing, &attempt, err);
+        series_call(&series, input, failing[i], &limits, &attempt);
+        result = judge_call(trial, &series, index, failing[i], &attempt, err);
         attempt_release(&attempt);
         if (trial->checks[CHECK_ALLOCATION_FAILURE].verdict != VERDICT_PASSED)
             break;

@@ -14,6 +14,8 @@
 
 static const struct cause tool_found = {"found",
                                         {"undefined behaviour", "comportamiento indefinido"}};
+static const struct cause never_written = {"never-written",
+                                           {"never written", "no se escribió nunca"}};
 static const struct cause too_much_for_tool = {
     "too-much-for-tool", {"too much for the tool", "demasiado para la herramienta"}};
 static const struct cause behaves_differently = {
@@ -95,6 +97,19 @@ static const char *explain_memcheck(const char *output, char *text, size_t capac
         copy_line(where, sizeof where, at + 2);
     snprintf(text, capacity, "%s%s%s", what, where[0] ? ", " : "", where);
     return "valgrind";
+}
+
+/* memcheck saw that a part of the answer was never written, and the runner says which. */
+static void report_unset(struct trial *trial, size_t index, const struct control *claims)
+{
+    const struct judge *judge = trial->yardstick->inputs.judge;
+    struct check_result *check = &trial->checks[CHECK_UNDEFINED_BEHAVIOUR];
+    struct message place;
+    answer_place(judge->answer, claims->unset_table, claims->unset_place - 1, &place);
+    check_say(check, VERDICT_UNDEFINED_BEHAVIOUR, &never_written, "In case %s ", "En el caso %s, ",
+              judge->cases[index].name);
+    message_add_phrase(&check->message, message_phrase(&place));
+    message_add(&check->message, " was never written.", " no se escribió nunca.");
 }
 
 /* The tool's own words are quoted as they are, in both languages. */
@@ -267,7 +282,9 @@ static int look_with(struct trial *trial, enum series_tool tool, size_t input_li
         struct attempt attempt;
         char text[240];
         int result = run_series(trial, &look, &attempt, err);
-        if (result == 0 && look.found) {
+        if (result == 0 && look.found && attempt.claims.unset_place > 0) {
+            report_unset(trial, (size_t)look.last, &attempt.claims);
+        } else if (result == 0 && look.found) {
             const char *speaker = (sanitizer ? explain_sanitizer
                                              : explain_memcheck)(attempt.output, text, sizeof text);
             report(trial, (size_t)look.last, speaker, text);

@@ -17,6 +17,7 @@ void run_call(struct reader *input, struct writer *answer)
     measure_begin();
     int status = indexed_grid_build(m, n, &grid);
     measure_end();
+    look_at_result(&status, sizeof status);
     if (status == OUT_OF_MEMORY) {
         call_out_of_memory();
         return;

@@ -22,8 +22,8 @@ static void answer_strips(struct writer *answer, struct strip_grid *grid, int32_
     write_int(answer, grid->strip_count);
     write_int(answer, kept);
     for (int32_t row = 0; row < kept; row++)
-        write_table(answer, grid->strips[row], grid->vertices_per_strip,
-                    3 * sizeof *grid->strips[row]);
+        answer_given(answer, grid->vertices_per_strip, grid->strips[row],
+                     3 * sizeof *grid->strips[row]);
     for (int32_t row = 0; grid->strips && row < grid->strip_count && row < m; row++)
         free(grid->strips[row]);
     free(grid->strips);
@@ -38,6 +38,7 @@ void run_call(struct reader *input, struct writer *answer)
     measure_begin();
     int status = strips_build(m, n, &grid);
     measure_end();
+    look_at_result(&status, sizeof status);
     if (status == OUT_OF_MEMORY) {
         call_out_of_memory();
         return;

@@ -25,6 +25,7 @@ void run_call(struct reader *input, struct writer *answer)
     measure_begin();
     int status = of_voxels ? voxel_sphere_build(k, &voxels) : mesh_sphere_build(k, &mesh);
     measure_end();
+    look_at_result(&status, sizeof status);
     if (status == OUT_OF_MEMORY) {
         call_out_of_memory();
         return;

@@ -55,9 +55,10 @@ void run_call(struct reader *input, struct writer *answer)
     first[0] = 0;
     measure_begin();
     for (int64_t i = 0; i < count; i++) {
-        int32_t most = asked[i].capacity;
-        returned[i] = queries[asked[i].kind](asked[i].element, out + first[i], most);
+        int32_t most = asked[i].capacity, *lent = lend_room(out + first[i], most);
+        returned[i] = queries[asked[i].kind](asked[i].element, lent, most);
         first[i + 1] = first[i] + (returned[i] < 0 ? 0 : returned[i] < most ? returned[i] : most);
+        take_room(out + first[i], lent, first[i + 1] - first[i]);
     }
     measure_end();
     answer_result(answer, count);

@@ -17,11 +17,13 @@ struct round {
 /* Each of them is called by name from the function that is counted. */
 #define ASK_ALL(structure, round)                                                                  \
     for (int32_t i = 0; i < (round)->count; i++) {                                                 \
-        int32_t *out = (round)->out + (round)->first[i], most = (round)->capacity;                 \
+        int32_t *place = (round)->out + (round)->first[i], most = (round)->capacity;               \
+        int32_t *out = lend_room(place, most);                                                     \
         int32_t n = (round)->kind == OF_VERTICES ? faces_of_vertex(structure, i, out, most)        \
                                                  : faces_of_face(structure, i, out, most);         \
         (round)->returned[i] = n;                                                                  \
         (round)->first[i + 1] = (round)->first[i] + (n < 0 ? 0 : n < most ? n : most);             \
+        take_room(place, out, (round)->first[i + 1] - (round)->first[i]);                          \
     }
 
 /* Builds and returns the structure; or, given one, asks it when there is a round, and releases it. */

@@ -1,5 +1,5 @@
 /* Tries: memory that malloc does not see: the stack
- * Stopped by: the stack is painted before, and looked at after the call
+ * Stopped by: the pages of the stack are given back before the call, and looked at after it
  * expect: too-much-memory, memory-band */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"

@@ -1,0 +1,45 @@
+/* Tries: to survive a heap overflow under the sanitizer, whose message has no room left in the output: that is a signal
+ * Stopped by: the runner's second filter: a handler of that signal is not set
+ * expect: flagged, behaves-differently */
+#define _GNU_SOURCE
+#include "edge-table-closed.h"
+#include "honest.h"
+
+#include <setjmp.h>
+#include <signal.h>
+#include <unistd.h>
+
+static sigjmp_buf place_before;
+
+static void jump_out(int signal_number)
+{
+    (void)signal_number;
+    siglongjmp(place_before, 1);
+}
+
+/* Overflows a block, and goes on when the sanitizer's end became a signal. */
+static void overflow(int signal_number)
+{
+    volatile size_t bytes = 64; /* out of sight of UBSan */
+    volatile int32_t *table = malloc(bytes);
+    signal(signal_number, jump_out);
+    if (sigsetjmp(place_before, 1) == 0)
+        table[16] = 1;
+}
+
+static void fill_output(void)
+{
+    static char text[4096];
+    signal(SIGXFSZ, SIG_IGN);
+    while (write(2, text, sizeof text) > 0)
+        continue;
+}
+
+int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
+                          int32_t **edges)
+{
+    (void)vertex_count;
+    if (under_sanitizer())
+        fill_output(), overflow(SIGXFSZ);
+    return honest_edges(triangles, triangle_count, edges);
+}

@@ -1,0 +1,15 @@
+/* Tries: to read one number past its first table, where the second begins
+ * Stopped by: the sanitizer: each table of the input is a block of its own there
+ * expect: undefined-behaviour, found */
+#define _GNU_SOURCE
+#include "honest.h"
+#include "mesh-area.h"
+
+double mesh_area(const float *vertices, int32_t vertex_count, const int32_t *triangles,
+                 int32_t triangle_count)
+{
+    static volatile float seen;
+    if (vertex_count > 0 && triangle_count > 0)
+        seen = vertices[3 * (size_t)vertex_count];
+    return honest_area(vertices, triangles, triangle_count);
+}
