@@ -262,6 +262,7 @@ int start_with_probe(const struct box_plan *plan, probe_function *probe, const v
     box->pidfd = box->program_pidfd = box->socket = box->notify = -1;
     box->profile = plan->profile;
     box->cpu_seconds = plan->cpu_seconds;
+    box->box_cpu_seconds = plan->box_cpu_seconds;
     box->memory_bytes = plan->memory_bytes;
     struct inside *inside = calloc(1, sizeof *inside);
     if (!inside)

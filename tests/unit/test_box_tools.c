@@ -90,6 +90,8 @@ static int run(enum box_profile profile, const char *line, struct box_plan chang
                             .scratch_bytes = 16 << 20,
                             .stack_bytes = 16 << 20,
                             .cpu_seconds = changes.cpu_seconds ? changes.cpu_seconds : 20,
+                            .box_cpu_seconds = changes.box_cpu_seconds,
+                            .idle_ms = changes.idle_ms,
                             .wall_ms = 60000,
                             .process_count = 16,
                             .cpu = -1,
@@ -216,6 +218,31 @@ static int build_contains(void)
     return wrong;
 }
 
+/* Many processes, none of which takes long: with and without control groups they end together. One
+ * that fails late is no compiler that took too long, and one that waits for ever is ended. */
+static int build_time_is_bounded(void)
+{
+    struct box_plan little = {.box_cpu_seconds = 2}, idle = {.idle_ms = 300};
+    struct box_plan short_each = {.cpu_seconds = 1, .box_cpu_seconds = 20};
+    if (open_work() ||
+        put_source("work.sh", "i=0\nwhile [ $i -lt 50000 ]; do i=$((i + 1)); done\n") ||
+        put_source("series.sh", "while :; do sh work.sh; done\n") ||
+        put_source("orphans.sh", "while :; do (sh work.sh &) ; sh work.sh; done\n") ||
+        put_source("fails.sh", "for k in $(seq 40); do sh work.sh; done\nexit 3\n") ||
+        put_source("long.sh", "sh -c 'while :; do :; done'\nexit 3\n"))
+        return 99;
+    int wrong = expect_end(BOX_BUILD, "/bin/sh series.sh", BOX_ENDED_CPU, NULL, little) +
+                (outcome.cpu_ns < 2000000000 ? complain("its CPU time is not known") : 0) +
+                expect_end(BOX_BUILD, "/bin/sh orphans.sh", BOX_ENDED_CPU, NULL, little) +
+                expect_end(BOX_BUILD, "/bin/sh fails.sh", BOX_ENDED_EXIT, NULL, short_each) +
+                (outcome.cpu_ns < 1000000000 ? complain("it works too little for this test") : 0) +
+                expect_end(BOX_BUILD, "/bin/sh long.sh", BOX_ENDED_EXIT, NULL, short_each) +
+                (!strstr(output, "CPU time limit exceeded") ? complain("not told") : 0) +
+                expect_end(BOX_BUILD, "/bin/sleep 50", BOX_ENDED_KILLED, NULL, idle);
+    close_work();
+    return wrong;
+}
+
 /* ---------------------------------------------------------------------- tools */
 
 static int tools_contain(void)
@@ -290,7 +317,7 @@ static int valgrind_works(void)
 static int everything(void)
 {
     int wrong = build_works() + build_reads_nothing() + build_contains() + tools_contain();
-    wrong += cover_hides();
+    wrong += cover_hides() + build_time_is_bounded();
     if (access("/usr/bin/valgrind", X_OK) == 0)
         wrong += valgrind_works();
     return wrong;
