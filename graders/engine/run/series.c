@@ -134,6 +134,8 @@ int series_start(struct series *series, const struct series_plan *plan, struct e
         .memory_limit_bytes =
             (uint64_t)heap_limit + plan->input_bytes + plan->answer_bytes + TOOL_MEMORY_BYTES,
         .cpu_seconds = CPU_SECONDS,
+        .budget = plan->build->budget,
+        .ends_by_itself = is_counted(plan->tool), /* callgrind's last dump proves the others */
         .cpu = plan->cpu,
         .meanwhile = is_counted(plan->tool) ? dumps_drain : NULL,
         .meanwhile_argument = &series->dumps,

@@ -2,7 +2,9 @@
 # Stopped by: the build box: the CPU time of all its processes together
 # expect: compile-error, compiler-time
 
-cp "$HOSTILE/right.c" edge-table-closed.c
+mkdir edge-table-closed
+cd edge-table-closed
+cp "$HOSTILE/right.c" answer.c
 cp "$HOSTILE/honest.h" .
 for file in $(seq 18); do
     {
