@@ -106,10 +106,28 @@ static void watch_tree(struct box *box)
     box->ended = true;
 }
 
+/* The host's own folder is bounded by nothing else. */
+static bool needs_disk_watch(const struct box *box)
+{
+    return box->work_bytes && box->work_fd >= 0 &&
+           (has_tree(box) || !is_active(box, BOX_PRIVATE_ROOT));
+}
+
+static void watch_disk(struct box *box)
+{
+    if (disk_bytes(box) <= (int64_t)box->work_bytes)
+        return;
+    box->over_disk = true;
+    end_processes(box);
+    box->ended = true;
+}
+
 /* How often to look at what nothing else bounds; 0: never. */
 static int watch_ms(const struct box *box)
 {
-    return has_tree(box) ? TREE_WATCH_MS : needs_watch(box) ? WATCH_MS : 0;
+    if (has_tree(box))
+        return TREE_WATCH_MS;
+    return needs_watch(box) || needs_disk_watch(box) ? WATCH_MS : 0;
 }
 
 static void watch(struct box *box)
@@ -122,6 +140,8 @@ static void watch(struct box *box)
         watch_memory(box);
     if (has_tree(box) && !box->ended)
         watch_tree(box);
+    if (needs_disk_watch(box) && !box->ended)
+        watch_disk(box);
 }
 
 /* Returns whether something happened within `timeout_ms`. */
@@ -207,6 +227,7 @@ bool box_release(struct box *box)
     bool removed = cgroup_remove(box);
     close_fd(&box->notify);
     close_fd(&box->socket);
+    close_fd(&box->work_fd);
     close_fd(&box->program_pidfd);
     close_fd(&box->pidfd);
     box->ended = true;
@@ -250,6 +271,8 @@ static enum box_end name_end(const struct box *box, uint64_t oom_kills, int64_t 
         return BOX_ENDED_MEMORY;
     if (signal_number == SIGXFSZ)
         return BOX_ENDED_OUTPUT;
+    if (box->over_disk)
+        return BOX_ENDED_DISK;
     if (ran_out_of_cpu(box, cpu_ns))
         return BOX_ENDED_CPU;
     if (box->killed && (!box->has_status || signal_number == SIGKILL))

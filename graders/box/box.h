@@ -72,7 +72,10 @@ enum { BOX_PATH_LIMIT = 16, BOX_PASSED_LIMIT = 8 };
 /* What to run, and within which limits. Zero it, then fill it.
  *
  * Inside, `writable` is always the folder /work, so that no output depends on the host's paths, and
- * it is the working folder unless another is named. On a machine without mount namespaces there is
+ * it is the working folder unless another is named. A BUILD may do there what it likes; TOOLS may
+ * only write to the pipes in it, and make files in its folder `tmp` (yours to make and to give by
+ * box_give_folder), which with a private root is a small file system of its own and leaves nothing.
+ * Without one, Landlock keeps to that, and files in it may be written to. On a machine without mount namespaces there is
  * no /work: the program then starts in the host's folder itself. So name files relative to it
  * ("a.c", "./program"), and the command works on either. */
 struct box_plan {
@@ -89,17 +92,16 @@ struct box_plan {
                                      it is seen as it is */
     const char *writable;         /* host's folder that becomes /work, or NULL; none in RUN.
                                      Prepare it with box_give_folder */
-    bool given_files_only;        /* TOOLS: of what lies in `writable` the program may write
-                                     files, but make, remove and rename none outside of its
-                                     folder `tmp` (Landlock; and the owner of `writable`,
-                                     when box_give_folder was called for tmp alone) */
     const char *working_folder;   /* relative to /work, or absolute; NULL: /work, or / */
     int passed[BOX_PASSED_LIMIT]; /* descriptors that the program gets as 3, 4, 5, ... */
     int passed_count;
     int input_fd, output_fd, error_fd; /* stdio; -1: /dev/null */
     uint64_t memory_bytes;             /* all memory; RUN and BUILD also as address space */
     uint64_t file_bytes;               /* largest file written (stdout included, if a file) */
-    uint64_t scratch_bytes;            /* size of the private /tmp */
+    uint64_t scratch_bytes;            /* size of the private /tmp, and of /work/tmp */
+    uint64_t work_bytes; /* what may stand on the disk in `writable`, looked at now and
+                                          then: of a BUILD, and of TOOLS without a private root;
+                                          0: not looked at */
     uint64_t stack_bytes;
     unsigned cpu_seconds;     /* of each process; SIGXCPU, and a second later SIGKILL */
     unsigned box_cpu_seconds; /* BUILD: of all processes of the box together, ended ones included;
@@ -118,6 +120,7 @@ struct box {
     pid_t init;
     pid_t program; /* as the engine sees it */
     int pidfd, program_pidfd, socket, notify;
+    int work_fd;                               /* of `writable`, -1: none */
     uint32_t active;                           /* bit 1 << layer */
     struct box_reason reason[BOX_LAYER_COUNT]; /* why a layer is not active */
     int landlock_abi, cgroup_version;
@@ -132,6 +135,7 @@ struct box {
         over_memory; /* seen beyond memory_bytes where neither cgroup nor address space bounds it */
     struct rusage usage; /* valid when has_status */
     int64_t cpu_at_kill_ns, watched_ns;
+    bool over_disk;           /* seen beyond work_bytes */
     bool over_cpu;            /* all processes together were seen beyond box_cpu_seconds */
     int64_t cpu_seen_ns;      /* BUILD: of all processes together, when last looked at */
     char refused_call[40];    /* name of the first refused system call, empty if none */
@@ -141,7 +145,7 @@ struct box {
     /* from the plan */
     enum box_profile profile;
     unsigned cpu_seconds, box_cpu_seconds;
-    uint64_t memory_bytes;
+    uint64_t memory_bytes, work_bytes;
 };
 
 /* How a run ended. The first that holds, in this order. */
@@ -150,6 +154,8 @@ enum box_end {
     BOX_ENDED_MEMORY,    /* the cgroup's memory limit struck. Without it: TOOLS was seen beyond
                             memory_bytes; a RUN or BUILD gets NULL from malloc instead */
     BOX_ENDED_OUTPUT,    /* SIGXFSZ: file_bytes reached */
+    BOX_ENDED_DISK,      /* seen beyond work_bytes, or with thousands of files or folders in folders
+                            in folders */
     BOX_ENDED_CPU,       /* cpu_seconds reached (SIGXCPU, or SIGKILL with that much CPU charged), or
                             box_cpu_seconds. A BUILD whose child reaches cpu_seconds says so in
                             words of its own, and exits */

@@ -155,6 +155,10 @@ int64_t measure_resident_bytes(const struct box *box); /* -1: gone */
 /* CPU time of all processes of the box, ended ones included, to a clock tick each. */
 int64_t tree_cpu_ns(const struct box *box);
 
+/* ---- disk.c */
+/* What the box takes of the host's disk now; more than any limit when it cannot be told. */
+int64_t disk_bytes(const struct box *box);
+
 /* ---- start.c */
 int start_with_probe(const struct box_plan *plan, probe_function *probe, const void *argument,
                      struct box *box, struct error *err);

@@ -33,6 +33,7 @@ enum {
     IDLE_SECONDS = 300,    /* a compiler waits for nothing but the machine: beyond it, a fault, */
     WALL_MS = 3600 * 1000, /* and so beyond this */
     FILE_LIMIT_BYTES = 16 << 20,
+    WORK_LIMIT_BYTES = 128 << 20,
     MEMORY_LIMIT_BYTES = 1 << 30,
     STATIC_LIMIT_BYTES = 16 << 20,
     SCRIPT_BYTES = 16384
@@ -219,6 +220,7 @@ static int run_script(struct build *build, const char *text, struct box_outcome 
         .memory_bytes = MEMORY_LIMIT_BYTES,
         .file_bytes = FILE_LIMIT_BYTES,
         .scratch_bytes = 64 << 20,
+        .work_bytes = WORK_LIMIT_BYTES,
         .stack_bytes = 64 << 20,
         .cpu_seconds = CPU_SECONDS,
         .box_cpu_seconds = ALL_CPU_SECONDS,
@@ -287,6 +289,11 @@ static int judge_outcome(struct build *build, const struct box_outcome *outcome,
              strstr(build->diagnostics, "File size limit exceeded"))
         refuse(refusal, &compiler_output, "The compiler would write more than %d MB.",
                "El compilador escribiría más de %d MB.", FILE_LIMIT_BYTES >> 20);
+    else if (outcome->end == BOX_ENDED_DISK)
+        refuse(refusal, &compiler_output,
+               "The compiler would write more than %d MB, all of your files together.",
+               "El compilador escribiría más de %d MB, todos tus archivos juntos.",
+               WORK_LIMIT_BYTES >> 20);
     else if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == STAGE_LINK)
         refuse(refusal, &link_failed,
                "It compiles but cannot be linked: see the messages of the linker (%s).",

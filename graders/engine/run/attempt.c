@@ -23,6 +23,7 @@ static const struct cause segmentation_fault = {
     "segmentation-fault", {"access to foreign memory", "acceso a memoria ajena"}};
 static const struct cause memory_limit = {"memory-limit", {"memory limit", "límite de memoria"}};
 static const struct cause output_limit = {"output-limit", {"output limit", "límite de salida"}};
+static const struct cause disk_limit = {"disk-limit", {"disk limit", "límite de disco"}};
 static const struct cause idle_limit = {"idle-limit",
                                         {"idle time limit", "límite de tiempo de espera"}};
 static const struct cause called_exit = {"exit", {"ended the program", "terminó el programa"}};
@@ -176,6 +177,10 @@ int attempt_explain_death(enum call_end end, const struct control *claims,
     else if (outcome->end == BOX_ENDED_OUTPUT)
         attempt_say(attempt, VERDICT_TOO_MUCH_OUTPUT, &output_limit,
                     "Your function printed more than 1 MB.", "Tu función imprimió más de 1 MB.");
+    else if (outcome->end == BOX_ENDED_DISK)
+        attempt_say(attempt, VERDICT_TOO_MUCH_DISK, &disk_limit,
+                    "Your function wrote too much to files.",
+                    "Tu función escribió demasiado en archivos.");
     else if (end == CALL_SPENT)
         attempt_say(attempt, VERDICT_CPU_TIME, &attempt_budget_spent, ATTEMPT_SPENT_EN,
                     ATTEMPT_SPENT_ES, BUDGET_SECONDS);

@@ -29,7 +29,6 @@ struct session_plan {
     char *const *argv;           /* BOX_TOOLS: what to run, paths inside the box */
     char *const *envp;           /* NULL: the box's own */
     const char *work_folder;     /* host folder seen as /work, or NULL */
-    bool given_files_only;       /* as in struct box_plan */
     const char *covered;         /* as in struct box_plan, */
     const char *uncovered;       /* and the one file in it that is seen; both or none */
     const struct region *input;  /* borrowed for the session's life */
