@@ -24,9 +24,12 @@ static void fill(void)
                 break;
         close(fd);
     }
-    for (int i = 0; i < 5000; i++)
-        if (mkdir(i ? "deep" : "tmp/deep", 0700) != 0 || chdir(i ? "deep" : "tmp/deep") != 0)
-            break;
+    int folder = open("tmp", O_RDONLY | O_DIRECTORY);
+    for (int i = 0; i < 5000 && mkdirat(folder, "deep", 0700) == 0; i++) {
+        int deeper = openat(folder, "deep", O_RDONLY | O_DIRECTORY);
+        close(folder);
+        folder = deeper;
+    }
 }
 
 int64_t edge_table_closed(const int32_t *triangles, int32_t triangle_count, int32_t vertex_count,
