@@ -14,6 +14,7 @@
 
 enum {
     WATCH_MS = 10,        /* how often memory is looked at where nothing bounds it */
+    TREE_WATCH_MS = 100,  /* and the CPU time of a build's processes */
     DEATH_LIMIT_MS = 5000 /* after SIGKILL */
 };
 
@@ -22,9 +23,28 @@ static bool is_active(const struct box *box, enum box_layer layer)
     return box->active >> layer & 1;
 }
 
+/* Only builds have several processes. */
+static bool has_tree(const struct box *box)
+{
+    return box->profile == BOX_BUILD;
+}
+
+static void look_at_tree(struct box *box)
+{
+    int64_t cpu_ns = cgroup_cpu_ns(box);
+    if (cpu_ns < 0)
+        cpu_ns = tree_cpu_ns(box);
+    if (cpu_ns > box->cpu_seen_ns)
+        box->cpu_seen_ns = cpu_ns;
+}
+
 static void end_processes(struct box *box)
 {
     int64_t cpu_ns = box_cpu_ns(box);
+    if (has_tree(box) && !box->has_status) {
+        look_at_tree(box);
+        cpu_ns = box->cpu_seen_ns;
+    }
     if (cpu_ns > box->cpu_at_kill_ns)
         box->cpu_at_kill_ns = cpu_ns;
     /* With a pid namespace, init takes all others with it. Without one it must live, to reap them.
@@ -68,16 +88,60 @@ static bool needs_watch(const struct box *box)
 
 static void watch_memory(struct box *box)
 {
-    int64_t now = measure_now_ns();
-    if (now - box->watched_ns < WATCH_MS * INT64_C(1000000) / 2)
-        return;
-    box->watched_ns = now;
     int64_t bytes = measure_resident_bytes(box);
     if (bytes > 0 && (uint64_t)bytes > box->memory_bytes) {
         box->over_memory = true;
         end_processes(box);
         box->ended = true;
     }
+}
+
+static void watch_tree(struct box *box)
+{
+    look_at_tree(box);
+    if (box->box_cpu_seconds == 0 || box->cpu_seen_ns < box->box_cpu_seconds * INT64_C(1000000000))
+        return;
+    box->over_cpu = true;
+    end_processes(box);
+    box->ended = true;
+}
+
+/* The host's own folder is bounded by nothing else. */
+static bool needs_disk_watch(const struct box *box)
+{
+    return box->work_bytes && box->work_fd >= 0 &&
+           (has_tree(box) || !is_active(box, BOX_PRIVATE_ROOT));
+}
+
+static void watch_disk(struct box *box)
+{
+    if (disk_bytes(box) <= (int64_t)box->work_bytes)
+        return;
+    box->over_disk = true;
+    end_processes(box);
+    box->ended = true;
+}
+
+/* How often to look at what nothing else bounds; 0: never. */
+static int watch_ms(const struct box *box)
+{
+    if (has_tree(box))
+        return TREE_WATCH_MS;
+    return needs_watch(box) || needs_disk_watch(box) ? WATCH_MS : 0;
+}
+
+static void watch(struct box *box)
+{
+    int64_t now = measure_now_ns();
+    if (now - box->watched_ns < watch_ms(box) * INT64_C(1000000) / 2)
+        return;
+    box->watched_ns = now;
+    if (needs_watch(box))
+        watch_memory(box);
+    if (has_tree(box) && !box->ended)
+        watch_tree(box);
+    if (needs_disk_watch(box) && !box->ended)
+        watch_disk(box);
 }
 
 /* Returns whether something happened within `timeout_ms`. */
@@ -104,13 +168,13 @@ static bool wait_once(struct box *box, int timeout_ms)
 bool box_step(struct box *box, int timeout_ms)
 {
     int64_t end_ns = measure_now_ns() + timeout_ms * INT64_C(1000000);
-    bool watched = needs_watch(box);
+    int every_ms = watch_ms(box);
     while (!box->ended) {
         int64_t left_ns = end_ns - measure_now_ns();
         int left_ms = left_ns > 0 ? (int)((left_ns + 999999) / 1000000) : 0;
-        if (watched)
-            watch_memory(box);
-        if (box->ended || wait_once(box, watched && left_ms > WATCH_MS ? WATCH_MS : left_ms) ||
+        if (every_ms)
+            watch(box);
+        if (box->ended || wait_once(box, every_ms && left_ms > every_ms ? every_ms : left_ms) ||
             left_ms == 0)
             break;
     }
@@ -163,6 +227,7 @@ bool box_release(struct box *box)
     bool removed = cgroup_remove(box);
     close_fd(&box->notify);
     close_fd(&box->socket);
+    close_fd(&box->work_fd);
     close_fd(&box->program_pidfd);
     close_fd(&box->pidfd);
     box->ended = true;
@@ -178,20 +243,22 @@ static int64_t usage_ns(const struct rusage *usage)
 static int64_t total_cpu_ns(const struct box *box)
 {
     int64_t cpu_ns = cgroup_cpu_ns(box);
-    if (cpu_ns >= 0)
-        return cpu_ns;
-    return box->has_status ? usage_ns(&box->usage) : box->cpu_at_kill_ns;
+    if (cpu_ns < 0)
+        cpu_ns = box->has_status ? usage_ns(&box->usage) : box->cpu_at_kill_ns;
+    return cpu_ns > box->cpu_seen_ns ? cpu_ns : box->cpu_seen_ns;
 }
 
-/* The limit is of each process: a build's own children reach it, and then the driver fails. */
 static bool ran_out_of_cpu(const struct box *box, int64_t cpu_ns)
 {
     bool used_up = cpu_ns >= box->cpu_seconds * INT64_C(1000000000);
+    if (box->over_cpu)
+        return true;
+    if (has_tree(box)) /* what all used together tells nothing of the limit of each */
+        return box->has_status && WIFSIGNALED(box->status) && WTERMSIG(box->status) == SIGXCPU;
     if (!box->has_status)
         return box->killed && used_up;
-    if (WIFSIGNALED(box->status))
-        return WTERMSIG(box->status) == SIGXCPU || (WTERMSIG(box->status) == SIGKILL && used_up);
-    return box->profile == BOX_BUILD && WEXITSTATUS(box->status) != 0 && used_up;
+    return WIFSIGNALED(box->status) &&
+           (WTERMSIG(box->status) == SIGXCPU || (WTERMSIG(box->status) == SIGKILL && used_up));
 }
 
 static enum box_end name_end(const struct box *box, uint64_t oom_kills, int64_t cpu_ns)
@@ -204,6 +271,8 @@ static enum box_end name_end(const struct box *box, uint64_t oom_kills, int64_t 
         return BOX_ENDED_MEMORY;
     if (signal_number == SIGXFSZ)
         return BOX_ENDED_OUTPUT;
+    if (box->over_disk)
+        return BOX_ENDED_DISK;
     if (ran_out_of_cpu(box, cpu_ns))
         return BOX_ENDED_CPU;
     if (box->killed && (!box->has_status || signal_number == SIGKILL))
@@ -238,17 +307,34 @@ void box_finish(struct box *box, struct box_outcome *outcome)
     outcome->cleaned = box_release(box) && gone;
 }
 
+/* Since when a box has got no CPU time. */
+struct rest {
+    int64_t cpu_ns, since_ns;
+};
+
+static bool rests_too_long(const struct box_plan *plan, const struct box *box, struct rest *rest)
+{
+    int64_t now_ns = measure_now_ns();
+    if (box->cpu_seen_ns > rest->cpu_ns)
+        *rest = (struct rest){box->cpu_seen_ns, now_ns};
+    return plan->idle_ms && now_ns - rest->since_ns > plan->idle_ms * INT64_C(1000000);
+}
+
 int box_run(const struct box_plan *plan, struct box_outcome *outcome, struct error *err)
 {
     struct box box;
     if (box_start(plan, &box, err))
         return -1;
     int64_t end_ns = box.start_ns + plan->wall_ms * INT64_C(1000000);
+    struct rest rest = {0, box.start_ns};
     for (;;) {
         int64_t left_ns = end_ns - measure_now_ns();
-        if (box_step(&box, left_ns > 0 ? (int)(left_ns / 1000000) + 1 : 0))
+        int step_ms = left_ns > 0 ? (int)(left_ns / 1000000) + 1 : 0;
+        if (plan->idle_ms && step_ms > TREE_WATCH_MS)
+            step_ms = TREE_WATCH_MS;
+        if (box_step(&box, step_ms))
             break;
-        if (left_ns <= 0) {
+        if (left_ns <= 0 || rests_too_long(plan, &box, &rest)) {
             box_kill(&box);
             break;
         }

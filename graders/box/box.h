@@ -72,7 +72,10 @@ enum { BOX_PATH_LIMIT = 16, BOX_PASSED_LIMIT = 8 };
 /* What to run, and within which limits. Zero it, then fill it.
  *
  * Inside, `writable` is always the folder /work, so that no output depends on the host's paths, and
- * it is the working folder unless another is named. On a machine without mount namespaces there is
+ * it is the working folder unless another is named. A BUILD may do there what it likes; TOOLS may
+ * only write to the pipes in it, and make files in its folder `tmp` (yours to make and to give by
+ * box_give_folder), which with a private root is a small file system of its own and leaves nothing.
+ * Without one, Landlock keeps to that, and files in it may be written to. On a machine without mount namespaces there is
  * no /work: the program then starts in the host's folder itself. So name files relative to it
  * ("a.c", "./program"), and the command works on either. */
 struct box_plan {
@@ -89,20 +92,23 @@ struct box_plan {
                                      it is seen as it is */
     const char *writable;         /* host's folder that becomes /work, or NULL; none in RUN.
                                      Prepare it with box_give_folder */
-    bool given_files_only;        /* TOOLS: of what lies in `writable` the program may write
-                                     files, but make, remove and rename none outside of its
-                                     folder `tmp` (Landlock; and the owner of `writable`,
-                                     when box_give_folder was called for tmp alone) */
     const char *working_folder;   /* relative to /work, or absolute; NULL: /work, or / */
     int passed[BOX_PASSED_LIMIT]; /* descriptors that the program gets as 3, 4, 5, ... */
     int passed_count;
     int input_fd, output_fd, error_fd; /* stdio; -1: /dev/null */
     uint64_t memory_bytes;             /* all memory; RUN and BUILD also as address space */
     uint64_t file_bytes;               /* largest file written (stdout included, if a file) */
-    uint64_t scratch_bytes;            /* size of the private /tmp */
+    uint64_t scratch_bytes;            /* size of the private /tmp, and of /work/tmp */
+    uint64_t work_bytes; /* what may stand on the disk in `writable`, looked at now and
+                                          then: of a BUILD, and of TOOLS without a private root;
+                                          0: not looked at */
     uint64_t stack_bytes;
     unsigned cpu_seconds;     /* of each process; SIGXCPU, and a second later SIGKILL */
+    unsigned box_cpu_seconds; /* BUILD: of all processes of the box together, ended ones included;
+                                 0: cpu_seconds alone holds */
     unsigned wall_ms;         /* used by box_run only */
+    unsigned idle_ms;         /* used by box_run only, BUILD: so long without any CPU time for the
+                                 box, and it is killed; 0: not looked at */
     unsigned process_count;   /* BUILD: processes at once; the others never start any */
     int cpu;                  /* pin to this cpu, -1: not */
     uint32_t disabled_layers; /* bit 1 << layer: leave it out (tests, doctor) */
@@ -114,6 +120,7 @@ struct box {
     pid_t init;
     pid_t program; /* as the engine sees it */
     int pidfd, program_pidfd, socket, notify;
+    int work_fd;                               /* of `writable`, -1: none */
     uint32_t active;                           /* bit 1 << layer */
     struct box_reason reason[BOX_LAYER_COUNT]; /* why a layer is not active */
     int landlock_abi, cgroup_version;
@@ -128,14 +135,17 @@ struct box {
         over_memory; /* seen beyond memory_bytes where neither cgroup nor address space bounds it */
     struct rusage usage; /* valid when has_status */
     int64_t cpu_at_kill_ns, watched_ns;
+    bool over_disk;           /* seen beyond work_bytes */
+    bool over_cpu;            /* all processes together were seen beyond box_cpu_seconds */
+    int64_t cpu_seen_ns;      /* BUILD: of all processes together, when last looked at */
     char refused_call[40];    /* name of the first refused system call, empty if none */
     char refused_detail[160]; /* "openat /etc/passwd": what it asked for; untrusted, printable ASCII
                                */
     int refused_count;
     /* from the plan */
     enum box_profile profile;
-    unsigned cpu_seconds;
-    uint64_t memory_bytes;
+    unsigned cpu_seconds, box_cpu_seconds;
+    uint64_t memory_bytes, work_bytes;
 };
 
 /* How a run ended. The first that holds, in this order. */
@@ -144,8 +154,11 @@ enum box_end {
     BOX_ENDED_MEMORY,    /* the cgroup's memory limit struck. Without it: TOOLS was seen beyond
                             memory_bytes; a RUN or BUILD gets NULL from malloc instead */
     BOX_ENDED_OUTPUT,    /* SIGXFSZ: file_bytes reached */
-    BOX_ENDED_CPU,       /* cpu_seconds reached (SIGXCPU, or SIGKILL with that much CPU charged; a
-                            BUILD also when it failed after that much CPU) */
+    BOX_ENDED_DISK,      /* seen beyond work_bytes, or with thousands of files or folders in folders
+                            in folders */
+    BOX_ENDED_CPU,       /* cpu_seconds reached (SIGXCPU, or SIGKILL with that much CPU charged), or
+                            box_cpu_seconds. A BUILD whose child reaches cpu_seconds says so in
+                            words of its own, and exits */
     BOX_ENDED_KILLED,    /* by box_kill: the caller knows why (wall time) */
     BOX_ENDED_SIGNAL,    /* died of `signal` */
     BOX_ENDED_EXIT,      /* exited with `exit_code` */
@@ -158,7 +171,8 @@ struct box_outcome {
     char refused_call[40];
     char refused_detail[160];
     bool refused_is_process; /* the refused call would have made a process or thread */
-    int64_t wall_ns, cpu_ns;
+    int64_t wall_ns;
+    int64_t cpu_ns;             /* of all processes together */
     uint64_t memory_peak_bytes; /* by cgroup, 0: not known */
     uint32_t active;
     struct box_reason reason[BOX_LAYER_COUNT];
@@ -204,8 +218,8 @@ void box_kill(struct box *box);
  * no process of the box exists. */
 void box_finish(struct box *box, struct box_outcome *outcome);
 
-/* box_start, box_step until the end or plan->wall_ms, box_finish. After a wall-time kill
- * outcome->end is BOX_ENDED_KILLED. Returns 0, or -1 and *err as box_start. */
+/* box_start, box_step until the end, plan->wall_ms or plan->idle_ms, box_finish. After a kill by
+ * either outcome->end is BOX_ENDED_KILLED. Returns 0, or -1 and *err as box_start. */
 int box_run(const struct box_plan *plan, struct box_outcome *outcome, struct error *err) MUST_CHECK;
 
 /* CPU time that the program has used so far, all threads, read from outside in 0.2 us. Exact while

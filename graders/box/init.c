@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -215,9 +216,9 @@ static void reap_until(struct inside *inside, pid_t program)
     struct report *report = &inside->report;
     pid_t gone;
     do {
-        gone = wait4(-1, &report->status, 0, &report->usage);
+        gone = waitpid(-1, &report->status, 0);
         if (gone < 0 && errno != EINTR)
-            fail(inside, "wait4", errno);
+            fail(inside, "waitpid", errno);
     } while (gone != program);
 }
 
@@ -244,6 +245,7 @@ _Noreturn void init_main(struct inside *inside)
     reap_until(inside, program);
     if (!(inside->namespaces & CLONE_NEWPID))
         end_orphans();
+    getrusage(RUSAGE_CHILDREN, &inside->report.usage);
     inside->report.kind = REPORT_EXIT;
     send(inside->init, &inside->report, sizeof inside->report, MSG_NOSIGNAL);
     _exit(0);

@@ -50,8 +50,8 @@ struct report {
     uint32_t active;
     struct box_reason reason[BOX_LAYER_COUNT];
     int landlock_abi;
-    int status; /* of the program */
-    struct rusage usage;
+    int status;          /* of the program */
+    struct rusage usage; /* of all processes that were waited for */
     char failure[200];
 };
 
@@ -150,6 +150,14 @@ bool refusal_is_process(const char *call);
 /* ---- measure.c */
 int64_t measure_now_ns(void);
 int64_t measure_resident_bytes(const struct box *box); /* -1: gone */
+
+/* ---- tree.c */
+/* CPU time of all processes of the box, ended ones included, to a clock tick each. */
+int64_t tree_cpu_ns(const struct box *box);
+
+/* ---- disk.c */
+/* What the box takes of the host's disk now; more than any limit when it cannot be told. */
+int64_t disk_bytes(const struct box *box);
 
 /* ---- start.c */
 int start_with_probe(const struct box_plan *plan, probe_function *probe, const void *argument,

@@ -92,12 +92,15 @@ static const char *allow_files(const struct inside *inside, int ruleset, uint64_
         if (allow_path(ruleset, plan->readable[i], ACCESS_RUN))
             return plan->readable[i];
     uint64_t write = all & ~(uint64_t)LANDLOCK_ACCESS_FS_EXECUTE;
-    uint64_t work = plan->profile == BOX_TOOLS ? all : write;
-    if (plan->given_files_only)
-        work &= ACCESS_RUN | LANDLOCK_ACCESS_FS_WRITE_FILE | ACCESS_TRUNCATE;
+    uint64_t given = all & (ACCESS_RUN | LANDLOCK_ACCESS_FS_WRITE_FILE | ACCESS_TRUNCATE);
+    uint64_t work = plan->profile == BOX_TOOLS ? given : write;
     if (inside->work_fd >= 0 && allow_fd(ruleset, SLOT_WORK, work))
         return "/work";
-    if (plan->given_files_only && allow_below(ruleset, SLOT_WORK, "tmp", write))
+    /* What is mounted there is another folder than the one that it covers. */
+    if (inside->work_fd >= 0 && plan->profile == BOX_TOOLS &&
+        (layer_active(&inside->report, BOX_PRIVATE_ROOT)
+             ? allow_path(ruleset, "/work/tmp", write)
+             : allow_below(ruleset, SLOT_WORK, "tmp", write)))
         return "/work/tmp";
     if (allow_path(ruleset, "/dev/null",
                    LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE))

@@ -129,10 +129,14 @@ static void execute(const struct inside *inside)
 {
     const struct box_plan *plan = inside->plan;
     /* Relative, since the program's user may not pass all folders above. */
-    char folder[] = "TMPDIR=/tmp", here[] = "TMPDIR=.";
+    char folder[] = "TMPDIR=/tmp", here[] = "TMPDIR=.", below[] = "TMPDIR=tmp";
     bool rooted = layer_active(&inside->report, BOX_PRIVATE_ROOT);
     char path[] = "PATH=/usr/bin:/bin", language[] = "LC_ALL=C";
-    char *const plain[] = {path, language, rooted ? folder : here, NULL};
+    char *const plain[] = {path, language,
+                           rooted                       ? folder
+                           : plan->profile == BOX_TOOLS ? below
+                                                        : here,
+                           NULL};
     char *const *environment = plan->envp ? plan->envp : plain;
     if (plan->program_fd >= 0)
         execveat(SLOT_PROGRAM, "", plan->argv, environment, AT_EMPTY_PATH);

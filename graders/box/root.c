@@ -40,7 +40,8 @@ void root_plan(struct inside *inside)
     /* A compiler writes there and executes nothing; a tool is given programs there. */
     if (plan->writable)
         add_tree(inside, plan->writable, "/work",
-                 MOUNT_ATTR_NODEV | (plan->profile == BOX_BUILD ? MOUNT_ATTR_NOEXEC : 0));
+                 MOUNT_ATTR_NODEV |
+                     (plan->profile == BOX_BUILD ? MOUNT_ATTR_NOEXEC : MOUNT_ATTR_RDONLY));
 }
 
 static int take_tree(struct bound_tree *tree)
@@ -150,6 +151,9 @@ static const char *furnish(struct inside *inside)
     root_close_trees(inside);
     if (plan->profile == BOX_RUN)
         return NULL;
+    if (plan->profile == BOX_TOOLS && plan->writable &&
+        mount_scratch("work/tmp", plan->scratch_bytes, 01777) && errno != ENOENT)
+        return "/work/tmp";
     if (mkdir("tmp", 0755) || mount_scratch("tmp", plan->scratch_bytes, 01777))
         return "tmp";
     /* Before the host's /proc goes: the kernel grants a new one only beside a whole one. */

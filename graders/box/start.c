@@ -259,10 +259,12 @@ int start_with_probe(const struct box_plan *plan, probe_function *probe, const v
                      struct box *box, struct error *err)
 {
     memset(box, 0, sizeof *box);
-    box->pidfd = box->program_pidfd = box->socket = box->notify = -1;
+    box->pidfd = box->program_pidfd = box->socket = box->notify = box->work_fd = -1;
     box->profile = plan->profile;
     box->cpu_seconds = plan->cpu_seconds;
+    box->box_cpu_seconds = plan->box_cpu_seconds;
     box->memory_bytes = plan->memory_bytes;
+    box->work_bytes = plan->work_bytes;
     struct inside *inside = calloc(1, sizeof *inside);
     if (!inside)
         return error_set(err, "box: out of memory");
@@ -278,6 +280,8 @@ int start_with_probe(const struct box_plan *plan, probe_function *probe, const v
     if (failed) {
         box_release(box);
     } else {
+        box->work_fd = inside->work_fd;
+        inside->work_fd = -1;
         box->socket = inside->engine_init;
         inside->engine_init = -1;
         box->start_ns = measure_now_ns();

@@ -17,7 +17,7 @@
 struct request {
     const char *out, *jobs, *exercise, *only, *without, *seed_text;
     uint32_t seed; /* SEED_PUBLISHED: none asked for */
-    bool regrade, apply, no_pictures, json;
+    bool regrade, apply, mixed, no_pictures, json;
 };
 
 /* ---------------------------------------------------------------- progress */
@@ -180,6 +180,14 @@ static int grade_alone(struct classroom *classroom, const struct request *reques
     return code;
 }
 
+/* Whether no two results could end up beside each other that other tools made: nothing is stored, or
+ * everything anew. */
+static bool is_of_one_measure(const struct request *request)
+{
+    bool of_all = !request->exercise && !request->only;
+    return request->regrade && (!request->apply || of_all);
+}
+
 static int grade_uploads(const struct exercise *exercises, int count, struct upload_list *uploads,
                          long jobs, const struct request *request, struct error *err)
 {
@@ -191,6 +199,7 @@ static int grade_uploads(const struct exercise *exercises, int count, struct upl
                                   .apply = request->apply,
                                   .keep_others =
                                       request->exercise || request->only || request->regrade,
+                                  .mixes = request->mixed || is_of_one_measure(request),
                                   .progress = show_progress};
     if (request->only && keep_only(uploads, request->only) != 0)
         return EXIT_USAGE;
@@ -234,6 +243,10 @@ static int run(int argc, char **argv)
         {"rejudge", 0, NULL, "grade again what is graded, and show what would change", NULL,
          &request.regrade},
         {"apply", 0, NULL, "with --rejudge: store the changes", NULL, &request.apply},
+        {"mixed", 0, NULL,
+         "go on where results were made with other tools (another compiler, libc, "
+         "valgrind, or other layers)",
+         NULL, &request.mixed},
         {"seed", 0, "N", "seed of what is not public (default: FOLDER's, a new one is drawn)",
          &request.seed_text, NULL},
         {"no-pictures", 0, NULL, "leave the pictures for meshgrade report", NULL,

@@ -1,6 +1,8 @@
 /* Grades a class with child processes; see classroom.h. */
 #include "graders/engine/classroom.h"
 
+#include "reference/base/plural.h"
+
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>
@@ -397,6 +399,25 @@ static int run_plan(struct classroom *classroom, struct plan *plan, struct error
     return result;
 }
 
+/* Marks that rest on two measures are not made in silence. */
+static int check_tools(struct classroom *classroom, const struct plan *plan, struct error *err)
+{
+    char difference[STORE_DIFFERENCE];
+    int to_grade = 0;
+    for (int i = 0; i < plan->lesson_count; i++)
+        to_grade += plan->lessons[i].count;
+    if (to_grade == 0 || classroom->mixes)
+        return 0;
+    int others = store_compare_tools(classroom->store, toolset_here(), difference, err);
+    if (others <= 0)
+        return others;
+    return error_set(err,
+                     "%d result%s in this folder %s made with other tools (%s): grade all of them "
+                     "again (--rejudge --apply), take another folder, or go on with --mixed, which "
+                     "the class page tells",
+                     others, plural_ending(others), others == 1 ? "was" : "were", difference);
+}
+
 static int grade_lessons(struct classroom *classroom, struct error *err)
 {
     struct plan plan = {.lesson_count = classroom->exercise_count};
@@ -408,6 +429,8 @@ static int grade_lessons(struct classroom *classroom, struct error *err)
         plan.lessons[i].exercise = &classroom->exercises[i];
         result = fill_queue(classroom, &plan.lessons[i], err);
     }
+    if (result == 0)
+        result = check_tools(classroom, &plan, err);
     if (result == 0)
         result = run_plan(classroom, &plan, err);
     for (int i = 0; i < plan.lesson_count; i++) {

@@ -26,6 +26,8 @@ struct classroom {
     json_t *changes;  /* with regrade: array of {student, exercise, before, after}; not stored
                          unless `apply` */
     bool apply;
+    bool mixes; /* grade on where the store has results of other tools (toolset.h): else
+                               that is an error, before anything is graded */
     const unsigned *left_out; /* of each upload, the steps that are not run, see trial_scope;
                                  borrowed; NULL: none */
     /* Called in the parent after each result; done and total count submissions. May be NULL. */
@@ -33,8 +35,8 @@ struct classroom {
     int done, total;
 };
 
-/* Grades. Returns 0 (also when results hold faults), or -1 and *err: the store cannot be written,
- * or no worker can be started. */
+/* Grades. Returns 0 (also when results hold faults), or -1 and *err: the store cannot be written, or
+ * holds results of other tools, or no worker can be started. */
 int classroom_grade(struct classroom *classroom, struct error *err) MUST_CHECK;
 
 /* Grades one submission in this process: the whole way from sources to outcome.

@@ -168,6 +168,9 @@ static const struct field submission_fields[] = {{"files", RECORDS, REQUIRED, up
 
 static const struct field engine_fields[] = {{"version", STRING, REQUIRED, NULL},
                                              {"compiler", STRING, REQUIRED, NULL},
+                                             {"libc", STRING, OPTIONAL, NULL},
+                                             {"valgrind", STRING, OPTIONAL, NULL},
+                                             {"layers", STRING, OPTIONAL, NULL},
                                              {"seed", SCALAR, REQUIRED, NULL},
                                              {0}};
 

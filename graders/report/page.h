@@ -41,6 +41,10 @@ void page_pictures_note(struct html *page, const struct page_context *context);
 /* Layers that were active and inactive, and probes that were missing, over some results. */
 void page_protections(struct html *page, json_t *const *results, size_t count);
 
+/* Which results were made with other tools than the others (engine in the result): nothing where all
+ * were made with the same. */
+void page_tools(struct html *page, const struct gradebook *book);
+
 /* The course that the results name, "Triangle meshes" where they name none. */
 struct phrase page_course(const struct gradebook *book);
 

@@ -422,5 +422,6 @@ void page_class(struct html *page, const struct page_context *context, const str
     write_sheet(page, context);
     html_both_leaf(page, "h2", NULL, (struct phrase){"How it was graded", "Cómo se corrigió"});
     write_protections(page, book);
+    page_tools(page, book);
     page_end(page, book);
 }

@@ -173,7 +173,7 @@ static int complain(const char *name, uint32_t disabled, const char *what, const
 static int compare(const struct box_bench_end *expected, const struct box_outcome *outcome,
                    uint32_t disabled)
 {
-    static const char *const ends[] = {"forbidden", "memory", "output", "cpu",
+    static const char *const ends[] = {"forbidden", "memory", "output", "disk", "cpu",
                                        "killed",    "signal", "exit",   "lost"};
     enum box_end end = expected->end;
     int code = expected->code, wrong = 0;

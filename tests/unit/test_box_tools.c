@@ -1,5 +1,6 @@
 /* Compilers, valgrind and sanitized programs in the box: they work, and what they are made to do
  * stays inside; as root, as a plain user, and without namespaces. */
+#include "graders/engine/base/files.h"
 #include "tests/unit/box_bench.h"
 
 #include <fcntl.h>
@@ -20,7 +21,7 @@ enum { OUTPUT_BYTES = 1 << 16 };
 
 /* What a box printed, and the folder that it works in: made anew by whoever plays. */
 static char output[OUTPUT_BYTES];
-static char work[64], parent[32];
+static char work[64], scratch[80], parent[32];
 static uint32_t disabled;
 
 static int open_work(void)
@@ -33,7 +34,11 @@ static int open_work(void)
     if (chmod(parent, 0711))
         return -1;
     snprintf(work, sizeof work, "%s/work", parent);
-    return mkdir(work, 0700) || box_give_folder(work, &err) ? -1 : 0;
+    snprintf(scratch, sizeof scratch, "%s/tmp", work);
+    return mkdir(work, 0700) || mkdir(scratch, 0700) || box_give_folder(scratch, &err) ||
+                   box_give_folder(work, &err)
+               ? -1
+               : 0;
 }
 
 static void close_work(void)
@@ -90,6 +95,9 @@ static int run(enum box_profile profile, const char *line, struct box_plan chang
                             .scratch_bytes = 16 << 20,
                             .stack_bytes = 16 << 20,
                             .cpu_seconds = changes.cpu_seconds ? changes.cpu_seconds : 20,
+                            .box_cpu_seconds = changes.box_cpu_seconds,
+                            .idle_ms = changes.idle_ms,
+                            .work_bytes = 16 << 20,
                             .wall_ms = 60000,
                             .process_count = 16,
                             .cpu = -1,
@@ -107,7 +115,7 @@ static const struct box_plan usual;
 
 static int complain(const char *line)
 {
-    static const char *const ends[] = {"forbidden", "memory", "output", "cpu",
+    static const char *const ends[] = {"forbidden", "memory", "output", "disk", "cpu",
                                        "killed",    "signal", "exit",   "lost"};
     fprintf(stderr, "box (disabled %#x): %s: %s, code %d, signal %d, refused '%s' %s\n%.2000s\n",
             disabled, line, ends[outcome.end], outcome.exit_code, outcome.signal,
@@ -216,6 +224,31 @@ static int build_contains(void)
     return wrong;
 }
 
+/* Many processes, none of which takes long: with and without control groups they end together. One
+ * that fails late is no compiler that took too long, and one that waits for ever is ended. */
+static int build_time_is_bounded(void)
+{
+    struct box_plan little = {.box_cpu_seconds = 2}, idle = {.idle_ms = 300};
+    struct box_plan short_each = {.cpu_seconds = 1, .box_cpu_seconds = 20};
+    if (open_work() ||
+        put_source("work.sh", "i=0\nwhile [ $i -lt 50000 ]; do i=$((i + 1)); done\n") ||
+        put_source("series.sh", "while :; do sh work.sh; done\n") ||
+        put_source("orphans.sh", "while :; do (sh work.sh &) ; sh work.sh; done\n") ||
+        put_source("fails.sh", "for k in $(seq 40); do sh work.sh; done\nexit 3\n") ||
+        put_source("long.sh", "sh -c 'while :; do :; done'\nexit 3\n"))
+        return 99;
+    int wrong = expect_end(BOX_BUILD, "/bin/sh series.sh", BOX_ENDED_CPU, NULL, little) +
+                (outcome.cpu_ns < 2000000000 ? complain("its CPU time is not known") : 0) +
+                expect_end(BOX_BUILD, "/bin/sh orphans.sh", BOX_ENDED_CPU, NULL, little) +
+                expect_end(BOX_BUILD, "/bin/sh fails.sh", BOX_ENDED_EXIT, NULL, short_each) +
+                (outcome.cpu_ns < 1000000000 ? complain("it works too little for this test") : 0) +
+                expect_end(BOX_BUILD, "/bin/sh long.sh", BOX_ENDED_EXIT, NULL, short_each) +
+                (!strstr(output, "CPU time limit exceeded") ? complain("not told") : 0) +
+                expect_end(BOX_BUILD, "/bin/sleep 50", BOX_ENDED_KILLED, NULL, idle);
+    close_work();
+    return wrong;
+}
+
 /* ---------------------------------------------------------------------- tools */
 
 static int tools_contain(void)
@@ -240,6 +273,38 @@ static int tools_contain(void)
         expect_exit(BOX_TOOLS, "./attacks write-outside", HARMLESS, NULL) +
         expect_exit(BOX_TOOLS, "./attacks raise-limits", HARMLESS, NULL) +
         expect_exit(BOX_TOOLS, "./attacks unpin", HARMLESS, NULL);
+    close_work();
+    return wrong;
+}
+
+/* How much a box could put on the host's disk: nothing where it has a file system of its own, else as
+ * much as it writes until it is looked at. */
+static int disk_is_bounded(void)
+{
+    if (open_work() || put_program("attacks"))
+        return 99;
+    int wrong = expect_exit(BOX_TOOLS, "./attacks exit-zero", 0, NULL);
+    bool rooted = outcome.active >> BOX_PRIVATE_ROOT & 1;
+    static const char *const lines[] = {"./attacks fill-disk", "./attacks fill-unseen"};
+    for (int i = 0; i < 2; i++)
+        wrong += rooted ? expect_exit(BOX_TOOLS, lines[i], HARMLESS, NULL)
+                        : expect_end(BOX_TOOLS, lines[i], BOX_ENDED_DISK, NULL, usual);
+    if (rooted && rmdir(scratch)) /* nothing came through */
+        wrong += complain("something is on the host's disk");
+    close_work();
+    return wrong;
+}
+
+/* A compiler that was taken over, or many files, each within the limit of a file. */
+static int build_disk_is_bounded(void)
+{
+    if (open_work() ||
+        put_source("a.sh", "i=0; while :; do cp /usr/bin/gcc file$i; i=$((i + 1)); done\n") ||
+        put_source("b.sh", "while :; do mkdir deep; cd deep; done\n"))
+        return 99;
+    int wrong = expect_end(BOX_BUILD, "/bin/sh a.sh", BOX_ENDED_DISK, NULL, usual) +
+                expect_end(BOX_BUILD, "/bin/sh b.sh", BOX_ENDED_DISK, NULL, usual);
+    folder_remove(work);
     close_work();
     return wrong;
 }
@@ -273,7 +338,9 @@ static int valgrind_works(void)
     if (open_work() || put_program("attacks") || put_program("controls"))
         return 99;
     int wrong =
-        expect_exit(BOX_TOOLS, "/usr/bin/valgrind --tool=callgrind --vgdb=no ./controls allocate",
+        expect_exit(BOX_TOOLS,
+                    "/usr/bin/valgrind --tool=callgrind --vgdb=no --callgrind-out-file=tmp/counts "
+                    "./controls allocate",
                     0, "Collected") +
         (run(BOX_TOOLS, memcheck, usual) || outcome.end != BOX_ENDED_EXIT ? complain(memcheck)
                                                                           : 0) +
@@ -290,7 +357,8 @@ static int valgrind_works(void)
 static int everything(void)
 {
     int wrong = build_works() + build_reads_nothing() + build_contains() + tools_contain();
-    wrong += cover_hides();
+    wrong += cover_hides() + build_time_is_bounded();
+    wrong += disk_is_bounded() + build_disk_is_bounded();
     if (access("/usr/bin/valgrind", X_OK) == 0)
         wrong += valgrind_works();
     return wrong;

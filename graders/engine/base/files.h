@@ -35,7 +35,7 @@ int file_write(const char *path, const void *bytes, size_t count, struct error *
 /* Makes a folder and those above it; fine when they are there. */
 int folder_make(const char *path, struct error *err) MUST_CHECK;
 
-/* Removes a folder and all below it; links are removed, not followed. */
+/* Removes a folder and all below it, however deep; links are removed, not followed. */
 void folder_remove(const char *path);
 
 /* Makes a fresh folder "work" inside a private one (mode 0700) below $TMPDIR or /tmp: a box may be

@@ -29,9 +29,12 @@ static const struct cause link_failed = {"link", {"does not link", "no se enlaza
 static const struct cause syntax = {"syntax", {"syntax", "sintaxis"}};
 
 enum {
-    CPU_SECONDS = 15,
-    WALL_MS = 300000, /* a compiler waits for nothing but the machine: beyond it, a fault */
+    CPU_SECONDS = 15,      /* of one process, such as the compiler on one file */
+    ALL_CPU_SECONDS = 40,  /* of all together; an answer in one file takes about 1.5 */
+    IDLE_SECONDS = 300,    /* a compiler waits for nothing but the machine: beyond it, a fault, */
+    WALL_MS = 3600 * 1000, /* and so beyond this */
     FILE_LIMIT_BYTES = 16 << 20,
+    WORK_LIMIT_BYTES = 128 << 20,
     MEMORY_LIMIT_BYTES = 1 << 30,
     STATIC_LIMIT_BYTES = 16 << 20,
     SCRIPT_BYTES = 16384
@@ -228,9 +231,12 @@ static int run_script(struct build *build, const char *text, struct box_outcome 
         .memory_bytes = MEMORY_LIMIT_BYTES,
         .file_bytes = FILE_LIMIT_BYTES,
         .scratch_bytes = 64 << 20,
+        .work_bytes = WORK_LIMIT_BYTES,
         .stack_bytes = 64 << 20,
         .cpu_seconds = CPU_SECONDS,
+        .box_cpu_seconds = ALL_CPU_SECONDS,
         .wall_ms = WALL_MS,
+        .idle_ms = IDLE_SECONDS * 1000,
         .process_count = 32,
         .cpu = -1,
     };
@@ -260,8 +266,10 @@ static int find_fault(const struct build *build, const struct box_outcome *outco
         return error_set(err, "build box: the shell was killed by signal %d; is memory short?",
                          outcome->signal);
     if (outcome->end == BOX_ENDED_KILLED)
-        return error_set(err, "build box: not done after %d s; the machine is overloaded",
-                         WALL_MS / 1000);
+        return error_set(err,
+                         "build box: it got no CPU time for %d s, or too little in an hour; the "
+                         "machine is overloaded",
+                         IDLE_SECONDS);
     if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == STAGE_TOOLS)
         return error_set(err,
                          "build box: the compiler fails on any program: free some space in "
@@ -281,13 +289,22 @@ static int judge_outcome(struct build *build, const struct box_outcome *outcome,
     if (outcome->end == BOX_ENDED_MEMORY)
         refuse(refusal, &compiler_memory, "The compiler needed more than %d GB of memory.",
                "El compilador necesitó más de %d GB de memoria.", MEMORY_LIMIT_BYTES >> 30);
-    else if (outcome->end == BOX_ENDED_CPU || outcome->cpu_ns > (CPU_SECONDS - 1) * 1000000000LL)
+    else if (outcome->end == BOX_ENDED_CPU && outcome->cpu_ns >= ALL_CPU_SECONDS * 1000000000LL)
+        refuse(refusal, &compiler_time,
+               "Your files take more than %d s to compile, all of them together.",
+               "Tus archivos tardan más de %d s en compilarse, todos juntos.", ALL_CPU_SECONDS);
+    else if (outcome->end == BOX_ENDED_CPU || strstr(build->diagnostics, "CPU time limit exceeded"))
         refuse(refusal, &compiler_time, "The compiler did not end within %d seconds.",
                "El compilador no terminó en %d segundos.", CPU_SECONDS);
     else if (outcome->end == BOX_ENDED_OUTPUT ||
              strstr(build->diagnostics, "File size limit exceeded"))
         refuse(refusal, &compiler_output, "The compiler would write more than %d MB.",
                "El compilador escribiría más de %d MB.", FILE_LIMIT_BYTES >> 20);
+    else if (outcome->end == BOX_ENDED_DISK)
+        refuse(refusal, &compiler_output,
+               "The compiler would write more than %d MB, all of your files together.",
+               "El compilador escribiría más de %d MB, todos tus archivos juntos.",
+               WORK_LIMIT_BYTES >> 20);
     else if (outcome->end == BOX_ENDED_EXIT && outcome->exit_code == STAGE_LINK)
         refuse(refusal, &link_failed,
                "It compiles but cannot be linked: see the messages of the linker (%s).",

@@ -14,6 +14,7 @@
 #define GRADERS_ENGINE_BUILD_BUILD_H
 
 #include "graders/box/box.h"
+#include "graders/engine/base/budget.h"
 #include "graders/engine/base/exercise.h"
 #include "graders/engine/base/refusal.h"
 
@@ -44,6 +45,8 @@ struct build {
     char chance[24];        /* a function it calls whose answer differs from run to run:
                                the time, random bytes; empty: none is known */
     uint32_t active_layers; /* of the build box */
+    struct budget *budget;  /* what all runs of its programs may take together, set and owned by who
+                               runs them; NULL: no bound */
 };
 
 /* Nothing built: what build_release may be given before anything was. All zero is something else:

@@ -6,6 +6,7 @@
  * mistake that matters more. */
 #include "graders/engine/result/score.h"
 
+#include "graders/engine/build/toolset.h"
 #include "graders/engine/result/measures.h"
 #include "graders/engine/run/cases.h"
 
@@ -120,12 +121,20 @@ static json_t *not_measured_json(const struct trial *trial)
     return list;
 }
 
+/* `seed` is empty where nothing ran. */
+static json_t *engine_of(const char *seed)
+{
+    const struct toolset *tools = toolset_here();
+    return json_pack("{s:s, s:o, s:o, s:o, s:s, s:s}", "version", MESHGRADE_VERSION, "compiler",
+                     text_json(tools->compiler), "libc", text_json(tools->libc), "valgrind",
+                     text_json(tools->valgrind), "layers", tools->layers, "seed", seed);
+}
+
 static json_t *engine_json(const struct trial *trial)
 {
     char seed[32];
     snprintf(seed, sizeof seed, "%u", trial->yardstick->inputs.seeds.cases);
-    return json_pack("{s:s, s:s, s:s}", "version", MESHGRADE_VERSION, "compiler",
-                     "gcc " __VERSION__, "seed", seed);
+    return engine_of(seed);
 }
 
 /* ------------------------------------------------------------ cases, classes */
@@ -388,11 +397,11 @@ int score_without_trial(const struct exercise *exercise, const struct submitter 
     outcome->result = header_json(exercise, submitter, &decision);
     json_t *rest = json_pack(
         "{s:o, s:o, s:[], s:[], s:[], s:{}, s:{s:b, s:s, s:s}, s:s, s:{s:[], s:{}}, s:[], "
-        "s:{s:[]}, s:{s:s, s:s, s:s}}",
+        "s:{s:[]}, s:o}",
         "score", score, "max_score", points_json(exercise ? exercise->max_score : 0), "classes",
         "checks", "cases", "measures", "build", "ok", 0, "cause", why->cause, "diagnostics", "",
         "output", "", "protections", "active", "inactive", "not_measured", "submission", "files",
-        "engine", "version", MESHGRADE_VERSION, "compiler", "gcc " __VERSION__, "seed", "");
+        "engine", engine_of(""));
     if (!outcome->scenes || !outcome->result || !rest ||
         json_object_update(outcome->result, rest) != 0)
         error_set(err, "out of memory for the result, or a text that is not UTF-8");

@@ -241,6 +241,56 @@ int store_find(struct store *store, const char *student_folder, const char *exer
     return found;
 }
 
+/* Whether one result was made with other tools; tells how, unless something is told already. */
+static bool has_other_tools(const json_t *result, const struct toolset *here, char *difference)
+{
+    const struct {
+        const char *key, *here;
+    } parts[] = {{"compiler", here->compiler},
+                 {"libc", here->libc},
+                 {"valgrind", here->valgrind},
+                 {"layers", here->layers}};
+    const json_t *engine = json_object_get(result, "engine");
+    const char *verdict = json_string_value(json_object_get(result, "verdict"));
+    if (!json_object_get(engine, "libc") || !verdict ||
+        strcmp(verdict, verdict_name(VERDICT_FAULT)) == 0)
+        return false;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        const char *there = json_string_value(json_object_get(engine, parts[i].key));
+        if (!there || strcmp(there, parts[i].here) == 0)
+            continue;
+        if (!difference[0])
+            snprintf(difference, STORE_DIFFERENCE, "%s: %.300s there, %.400s here", parts[i].key,
+                     there[0] ? there : "none", parts[i].here[0] ? parts[i].here : "none");
+        return true;
+    }
+    return false;
+}
+
+int store_compare_tools(struct store *store, const struct toolset *here,
+                        char difference[STORE_DIFFERENCE], struct error *err)
+{
+    sqlite3_stmt *query = NULL;
+    int count = 0, step = SQLITE_DONE;
+    difference[0] = '\0';
+    if (sqlite3_prepare_v2(store->database, SELECT_ROW "ORDER BY student_folder, exercise", -1,
+                           &query, NULL) != SQLITE_OK)
+        return complain(store, err);
+    while (count >= 0 && (step = sqlite3_step(query)) == SQLITE_ROW) {
+        const char *columns[COLUMNS];
+        json_t *result = NULL;
+        if (read_row(query, columns, err) != 0 || parse_result(columns[RESULT], &result, err) != 0)
+            count = -1;
+        else
+            count += has_other_tools(result, here, difference);
+        json_decref(result);
+    }
+    if (count >= 0 && step != SQLITE_DONE)
+        count = complain(store, err);
+    sqlite3_finalize(query);
+    return count;
+}
+
 int store_put(struct store *store, const char *student_folder, const char *exercise,
               const char *digest, const struct outcome *outcome, struct error *err)
 {

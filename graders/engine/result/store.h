@@ -6,6 +6,7 @@
 #ifndef GRADERS_ENGINE_RESULT_STORE_H
 #define GRADERS_ENGINE_RESULT_STORE_H
 
+#include "graders/engine/build/toolset.h"
 #include "graders/engine/result/score.h"
 
 #include <sqlite3.h>
@@ -33,6 +34,15 @@ int store_seed(struct store *store, uint32_t wanted, uint32_t *seed, struct erro
  * returns  0, or -1 and *err */
 int store_find(struct store *store, const char *student_folder, const char *exercise,
                const char *digest, json_t **result, struct error *err) MUST_CHECK;
+
+/* Looks for results that were made with other tools than these (toolset.h); faults, which are graded
+ * again, and results that do not tell are left out.
+ *
+ * difference  what the first of them has and `here` has not, as "libc A there, B here"; empty: none
+ * returns     how many, or -1 and *err */
+enum { STORE_DIFFERENCE = 1000 };
+int store_compare_tools(struct store *store, const struct toolset *here,
+                        char difference[STORE_DIFFERENCE], struct error *err) MUST_CHECK;
 
 /* Stores a result in one transaction, in the place of an earlier one. */
 int store_put(struct store *store, const char *student_folder, const char *exercise,

@@ -23,6 +23,7 @@ static const struct cause segmentation_fault = {
     "segmentation-fault", {"access to foreign memory", "acceso a memoria ajena"}};
 static const struct cause memory_limit = {"memory-limit", {"memory limit", "límite de memoria"}};
 static const struct cause output_limit = {"output-limit", {"output limit", "límite de salida"}};
+static const struct cause disk_limit = {"disk-limit", {"disk limit", "límite de disco"}};
 static const struct cause idle_limit = {"idle-limit",
                                         {"idle time limit", "límite de tiempo de espera"}};
 static const struct cause called_exit = {"exit", {"ended the program", "terminó el programa"}};
@@ -37,6 +38,8 @@ static const struct cause answer_too_long = {"answer-too-long",
 
 enum { BOX_OVERHEAD_BYTES = 64 << 20 };
 
+const struct cause attempt_budget_spent = {"time-budget",
+                                           {"time for all runs", "tiempo para todo"}};
 const struct cause attempt_cpu_limit = {"cpu-limit", {"CPU time limit", "límite de tiempo de CPU"}};
 
 static void set_cause(struct attempt *attempt, const struct cause *cause)
@@ -158,7 +161,7 @@ int attempt_explain_death(enum call_end end, const struct control *claims,
                           const struct box_outcome *outcome, struct attempt *attempt,
                           struct error *err)
 {
-    bool killed_by_us = end == CALL_CPU || end == CALL_IDLE;
+    bool killed_by_us = end == CALL_CPU || end == CALL_IDLE || end == CALL_SPENT;
     const char *missing = end == CALL_NOT_READY ? what_was_missing(outcome) : NULL;
     if (missing)
         return error_set(err, "%s", missing);
@@ -174,6 +177,13 @@ int attempt_explain_death(enum call_end end, const struct control *claims,
     else if (outcome->end == BOX_ENDED_OUTPUT)
         attempt_say(attempt, VERDICT_TOO_MUCH_OUTPUT, &output_limit,
                     "Your function printed more than 1 MB.", "Tu función imprimió más de 1 MB.");
+    else if (outcome->end == BOX_ENDED_DISK)
+        attempt_say(attempt, VERDICT_TOO_MUCH_DISK, &disk_limit,
+                    "Your function wrote too much to files.",
+                    "Tu función escribió demasiado en archivos.");
+    else if (end == CALL_SPENT)
+        attempt_say(attempt, VERDICT_CPU_TIME, &attempt_budget_spent, ATTEMPT_SPENT_EN,
+                    ATTEMPT_SPENT_ES, BUDGET_SECONDS);
     else if (end == CALL_CPU || outcome->end == BOX_ENDED_CPU)
         attempt_say(attempt, VERDICT_CPU_TIME, &attempt_cpu_limit,
                     "Your function did not end in time: a loop without end, or far too much work.",
@@ -295,6 +305,7 @@ static int start(const struct inputs *inputs, const struct build *build, const s
         .memory_limit_bytes = (uint64_t)heap_limit + input->region.capacity + input->answer_bound +
                               BOX_OVERHEAD_BYTES,
         .cpu_seconds = 300,
+        .budget = build->budget,
         .cpu = -1,
     };
     return session_start(session, &plan, err);

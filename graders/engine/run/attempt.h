@@ -68,8 +68,15 @@ static inline bool attempt_is_right(const struct attempt *attempt)
 /* The cause of an attempt, borrowed from it. */
 struct cause attempt_cause(const struct attempt *attempt);
 
-/* The limit of CPU time was reached. */
-extern const struct cause attempt_cpu_limit;
+/* The limit of CPU time was reached; or that of all runs of the submission together, with the
+ * sentences for it, which tell BUDGET_SECONDS. */
+extern const struct cause attempt_cpu_limit, attempt_budget_spent;
+#define ATTEMPT_SPENT_EN                                                                           \
+    "All runs of your program together took more than %d s of work and waiting: it works, or "     \
+    "waits, far too much, and nothing further was looked at."
+#define ATTEMPT_SPENT_ES                                                                           \
+    "Todas las ejecuciones de tu programa juntas tardaron más de %d s entre trabajo y espera: "   \
+    "trabaja, o espera, demasiado, y no se examinó nada más."
 
 void attempt_release(struct attempt *attempt);
 

@@ -62,7 +62,7 @@ static int run_case(struct trial *trial, size_t index, bool patient, struct atte
         attempt_release(attempt);
     }
     int result = run_once(trial, index, CONFIRMING_MULTIPLE, attempt, err);
-    if (result == 0 && attempt->verdict == VERDICT_CPU_TIME)
+    if (result == 0 && strcmp(attempt->cause, attempt_cpu_limit.slug) == 0)
         explain_cpu_limit(attempt);
     return result;
 }

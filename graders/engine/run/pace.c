@@ -50,7 +50,9 @@ int pace_pair(struct pace *pace, double *ratio, struct error *err)
     pace->pairs++;
     if (series_call(&pace->reference, &pace->fresh, 0, &limits, &theirs) != CALL_ANSWERED)
         return error_set(err, "the reference did not answer in a paired run");
-    pace->gone = series_call(&pace->submission, &pace->fresh, 0, &limits, &mine) != CALL_ANSWERED;
+    enum call_end end = series_call(&pace->submission, &pace->fresh, 0, &limits, &mine);
+    pace->gone = end != CALL_ANSWERED;
+    pace->spent = end == CALL_SPENT;
     if (pace->gone)
         return 0;
     int result = attempt_judge(&pace->trial->yardstick->inputs, &pace->fresh,
@@ -161,7 +163,7 @@ int pace_is_slower(struct trial *trial, int family, int size_index, double bound
     int result = pace_start(&pace, trial, family, size_index, err);
     while (result == 0 && !pace.gone && sign_test_decision(&test) == SIGN_OPEN)
         result = add_pair(&pace, &test, err);
-    *slower = pace.gone || sign_test_decision(&test) == SIGN_ABOVE;
+    *slower = (pace.gone && !pace.spent) || sign_test_decision(&test) == SIGN_ABOVE;
     return pace_end(&pace, err) != 0 ? -1 : result;
 }
 
@@ -177,6 +179,6 @@ int pace_time_denies(struct trial *trial, int family, int size_index, double bou
         while (result == 0 && !pace.gone && test.below - test.above < WITHIN_LEAD &&
                sign_test_decision(&test) == SIGN_OPEN)
             result = add_pair(&pace, &test, err);
-    *denied = pace.gone || sign_test_decision(&test) == SIGN_ABOVE;
+    *denied = (pace.gone && !pace.spent) || sign_test_decision(&test) == SIGN_ABOVE;
     return pace_end(&pace, err) != 0 ? -1 : result;
 }

@@ -22,6 +22,7 @@ struct pace {
     uint64_t pairs;     /* run so far */
     bool right;         /* whether the last answer was right */
     bool gone;          /* the submission did not answer; no further pair */
+    bool spent;         /* because its budget is: that tells nothing of its speed */
     struct attempt failure; /* the first wrong answer; .verdict is VERDICT_PASSED without one */
     cpu_set_t before;       /* where the engine may run otherwise */
 };

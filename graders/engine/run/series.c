@@ -94,7 +94,7 @@ static int make_folder(struct series *series, const struct series_plan *plan, st
         return -1;
     return is_counted(plan->tool)
                ? dumps_make(&series->dumps, series->folder, plan->call_count, err)
-               : box_give_folder(series->folder, err);
+               : 0;
 }
 
 struct series series_none(void)
@@ -124,7 +124,6 @@ int series_start(struct series *series, const struct series_plan *plan, struct e
         .argv = plain ? NULL : argv,
         .envp = plain ? NULL : envp,
         .work_folder = plain ? NULL : series->folder,
-        .given_files_only = is_counted(plan->tool),
         .covered = hides_rest ? DEBUG_FILE_FOLDER : NULL,
         .uncovered = hides_rest ? linker : NULL,
         .input = &series->input,
@@ -134,6 +133,8 @@ int series_start(struct series *series, const struct series_plan *plan, struct e
         .memory_limit_bytes =
             (uint64_t)heap_limit + plan->input_bytes + plan->answer_bytes + TOOL_MEMORY_BYTES,
         .cpu_seconds = CPU_SECONDS,
+        .budget = plan->build->budget,
+        .ends_by_itself = is_counted(plan->tool), /* callgrind's last dump proves the others */
         .cpu = plan->cpu,
         .meanwhile = is_counted(plan->tool) ? dumps_drain : NULL,
         .meanwhile_argument = &series->dumps,

@@ -20,7 +20,8 @@ enum {
     STACK_BYTES = 16 << 20,
     SCRATCH_BYTES = 64 << 20,
     WAIT_NS = 2000000,
-    QUIT_STEP_MS = 10
+    QUIT_STEP_MS = 10,
+    LATE_NS = 50000000
 };
 
 static int64_t now_ns(void)
@@ -47,6 +48,22 @@ static int64_t waiting_ns(pid_t pid)
     return strtoll(rest, NULL, 10);
 }
 
+/* Whether the program would work if the machine let it: it has or waits for a CPU (R), or waits for
+ * a disk (D), as the letter behind its name in /proc/<pid>/stat tells. */
+static bool is_held_up(pid_t pid)
+{
+    char path[64], text[512];
+    snprintf(path, sizeof path, "/proc/%d/stat", (int)pid);
+    int file = open(path, O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        return false;
+    ssize_t count = read(file, text, sizeof text - 1);
+    close(file);
+    text[count > 0 ? count : 0] = '\0';
+    const char *name_end = strrchr(text, ')'); /* the name may hold anything */
+    return name_end && (strncmp(name_end, ") R", 3) == 0 || strncmp(name_end, ") D", 3) == 0);
+}
+
 /* ------------------------------------------------------------------- start */
 
 static int make_output(struct session *session, struct error *err)
@@ -66,7 +83,6 @@ static void fill_box_plan(const struct session *session, const struct session_pl
         .envp = plan->envp,
         .program_fd = plan->program_fd,
         .writable = plan->work_folder,
-        .given_files_only = plan->given_files_only,
         .covered = plan->covered,
         .readable = {plan->uncovered},
         .passed = {session->control_region.fd, plan->input->fd, session->answer.fd},
@@ -77,6 +93,7 @@ static void fill_box_plan(const struct session *session, const struct session_pl
         .memory_bytes = plan->memory_limit_bytes,
         .file_bytes = plan->profile == BOX_RUN ? OUTPUT_LIMIT_BYTES : 16 * OUTPUT_LIMIT_BYTES,
         .scratch_bytes = SCRATCH_BYTES,
+        .work_bytes = SCRATCH_BYTES,
         .stack_bytes = STACK_BYTES,
         .cpu_seconds = plan->cpu_seconds,
         .process_count = 8,
@@ -106,6 +123,8 @@ int session_start(struct session *session, const struct session_plan *plan, stru
         plan->heap_limit_bytes ? (uint64_t)plan->heap_limit_bytes : INT64_MAX / 2;
     session->meanwhile = plan->meanwhile;
     session->meanwhile_argument = plan->meanwhile_argument;
+    session->budget = plan->budget;
+    session->ends_by_itself = plan->ends_by_itself;
     fill_box_plan(session, plan, &box);
     if (box_start(&box, &session->box, err) != 0)
         goto failed;
@@ -137,16 +156,18 @@ static bool is_done(const struct session *session)
 /* The box's own process tells how the program ended; on a busy machine that takes it a while. */
 static const int64_t GONE_NS = 60000000000LL;
 
-/* Since when the program is waited for. */
+/* How long the program has been waited for, as of the last look. */
 struct wait {
     const struct call_limits *limits;
-    int64_t start_ns, waited_before_ns;
+    int64_t looked_ns, used_ns, waited_ns; /* by the clock; its CPU time; without a CPU */
+    int64_t idle_ns;
     int64_t gone_ns; /* when the program was first seen to be gone, 0: not */
 };
 
 static struct wait begin_wait(struct session *session, const struct call_limits *limits)
 {
-    return (struct wait){limits, now_ns(), waiting_ns(session->box.program), 0};
+    return (struct wait){
+        limits, now_ns(), box_cpu_ns(&session->box), waiting_ns(session->box.program), 0, 0};
 }
 
 /* Whether the program has ended, reaped or not. */
@@ -156,21 +177,49 @@ static bool is_gone(const struct session *session)
     return end.fd >= 0 && poll(&end, 1, 0) == 1;
 }
 
-/* CALL_CPU or CALL_IDLE when a limit is passed, else CALL_ANSWERED. */
+/* Adds what went by since the last look and was neither work nor the machine's doing. Looks are
+ * taken every few milliseconds: one that comes late tells of a busy machine, not of the program. */
+static void add_idle_time(const struct session *session, struct wait *wait, int64_t now_ns,
+                          int64_t used_ns, int64_t waited_ns)
+{
+    int64_t idle_ns =
+        now_ns - wait->looked_ns - (used_ns - wait->used_ns) - (waited_ns - wait->waited_ns);
+    if (idle_ns > LATE_NS)
+        idle_ns = LATE_NS;
+    if (idle_ns > 0 && !is_held_up(session->box.program))
+        wait->idle_ns += idle_ns;
+    wait->looked_ns = now_ns;
+    wait->used_ns = used_ns;
+    wait->waited_ns = waited_ns;
+}
+
+/* What ends the wait when a limit is passed, else CALL_ANSWERED. */
 static enum call_end passed_limit(const struct session *session, struct wait *wait)
 {
     int64_t now = now_ns(), used_ns = box_cpu_ns(&session->box);
-    int64_t waited_ns = waiting_ns(session->box.program) - wait->waited_before_ns;
-    if (is_gone(session) || used_ns < 0 || waited_ns < 0) { /* and its clocks with it */
+    int64_t waited_ns = waiting_ns(session->box.program);
+    if (is_gone(session) || used_ns < 0 || waited_ns < wait->waited_ns) { /* its clocks, too */
         if (wait->gone_ns == 0)
             wait->gone_ns = now;
         return now - wait->gone_ns > GONE_NS ? CALL_IDLE : CALL_ANSWERED;
     }
-    int64_t cpu_ns = used_ns - session->cpu_start_ns;
-    if (cpu_ns > wait->limits->cpu_ns)
+    add_idle_time(session, wait, now, used_ns, waited_ns);
+    if (used_ns - session->cpu_start_ns > wait->limits->cpu_ns)
         return CALL_CPU;
-    int64_t idle_ns = now - wait->start_ns - cpu_ns - waited_ns;
-    return idle_ns > wait->limits->idle_ns ? CALL_IDLE : CALL_ANSWERED;
+    if (wait->idle_ns > wait->limits->idle_ns)
+        return CALL_IDLE;
+    return budget_is_spent(session->budget, used_ns - session->taken_cpu_ns + wait->idle_ns)
+               ? CALL_SPENT
+               : CALL_ANSWERED;
+}
+
+/* Takes from the budget what the session has used and what it was idle. */
+static void take_from_budget(struct session *session, int64_t used_ns, int64_t idle_ns)
+{
+    if (used_ns < session->taken_cpu_ns) /* it is gone, and its clock with it */
+        used_ns = session->taken_cpu_ns;
+    budget_take(session->budget, used_ns - session->taken_cpu_ns, idle_ns);
+    session->taken_cpu_ns = used_ns;
 }
 
 static void work_meanwhile(const struct session *session)
@@ -179,10 +228,8 @@ static void work_meanwhile(const struct session *session)
         session->meanwhile(session->meanwhile_argument);
 }
 
-/* Waits for the call; on anything but CALL_ANSWERED the program is dead or being killed. */
-static enum call_end await(struct session *session, const struct call_limits *limits)
+static enum call_end await_within(struct session *session, struct wait *wait)
 {
-    struct wait wait = begin_wait(session, limits);
     for (;;) {
         futex_wait(&session->control->done_index, session->call_index - 1);
         work_meanwhile(session);
@@ -190,10 +237,19 @@ static enum call_end await(struct session *session, const struct call_limits *li
             return CALL_ANSWERED;
         if (box_step(&session->box, 0))
             return is_done(session) ? CALL_ANSWERED : CALL_DIED;
-        enum call_end passed = passed_limit(session, &wait);
+        enum call_end passed = passed_limit(session, wait);
         if (passed != CALL_ANSWERED)
             return passed;
     }
+}
+
+/* Waits for the call; on anything but CALL_ANSWERED the program is dead or being killed. */
+static enum call_end await(struct session *session, const struct call_limits *limits)
+{
+    struct wait wait = begin_wait(session, limits);
+    enum call_end end = await_within(session, &wait);
+    take_from_budget(session, box_cpu_ns(&session->box), wait.idle_ns);
+    return end;
 }
 
 /* Starting takes seconds under a tool on a busy machine. */
@@ -201,15 +257,17 @@ static const struct call_limits ready_limits = {60000000000LL, 60000000000LL};
 
 enum call_end session_await_ready(struct session *session)
 {
-    if (session->is_ready)
+    if (session->is_ready && !budget_is_spent(session->budget, 0))
         return CALL_ANSWERED;
     session->cpu_start_ns = 0;
-    session->is_ready = await(session, &ready_limits) == CALL_ANSWERED;
+    enum call_end end =
+        budget_is_spent(session->budget, 0) ? CALL_SPENT : await(session, &ready_limits);
+    session->is_ready = end == CALL_ANSWERED;
     if (session->is_ready)
         return CALL_ANSWERED;
     session->alive = false;
     box_kill(&session->box);
-    return CALL_NOT_READY;
+    return end == CALL_SPENT ? CALL_SPENT : CALL_NOT_READY;
 }
 
 static uint64_t fresh_nonce(void)
@@ -253,7 +311,8 @@ enum call_end session_call(struct session *session, size_t input_bytes, int64_t 
 
 static const struct call_limits quit_limits = {5000000000LL, 5000000000LL};
 
-/* Lets the program end by itself; kills it when it will not. */
+/* Lets the program end by itself; kills it when it will not. The budget does not matter here: what
+ * a measurement rests on shall not be lost at its very end. */
 static void quit(struct session *session)
 {
     session->cpu_start_ns = box_cpu_ns(&session->box);
@@ -262,19 +321,24 @@ static void quit(struct session *session)
     futex_wake(&session->control->call_index);
     while (!box_step(&session->box, QUIT_STEP_MS)) {
         work_meanwhile(session);
-        if (passed_limit(session, &wait) != CALL_ANSWERED) {
+        enum call_end passed = passed_limit(session, &wait);
+        if (passed == CALL_CPU || passed == CALL_IDLE) {
             box_kill(&session->box);
             break;
         }
     }
-    session->alive = false;
+    budget_take(session->budget, 0, wait.idle_ns);
 }
 
 int session_end(struct session *session, struct box_outcome *outcome, struct error *err)
 {
-    if (session->alive)
+    if (session->alive && session->ends_by_itself)
         quit(session);
+    else if (session->alive)
+        box_kill(&session->box);
+    session->alive = false;
     box_finish(&session->box, outcome);
+    take_from_budget(session, outcome->cpu_ns, 0);
     if (outcome->end == BOX_ENDED_LOST)
         return error_set(err, "the box's own process vanished");
     return 0;

@@ -5,14 +5,16 @@
  *                  <--- futex ---- ready, waits
  *   session_call   ---- futex ---> run_call: the student's function, once
  *                  <--- futex ---- answer and claims
- *   session_end    ---- quit ----> ends; killed if it does not
+ *   session_end    ---- kill, or where its end tells something:
+ *                  ---- quit ----> ends; killed if it does not
  *
- * What comes back is claims and bytes of untrusted code. A session never blocks: CPU time, idle
- * time and wall time are limited for every call. */
+ * What comes back is claims and bytes of untrusted code. A session never blocks: CPU time and idle
+ * time are limited for every call, and for all runs of a submission together. */
 #ifndef GRADERS_ENGINE_RUN_SESSION_H
 #define GRADERS_ENGINE_RUN_SESSION_H
 
 #include "graders/box/box.h"
+#include "graders/engine/base/budget.h"
 #include "graders/engine/run/region.h"
 #include "graders/wire/control.h"
 
@@ -27,7 +29,6 @@ struct session_plan {
     char *const *argv;           /* BOX_TOOLS: what to run, paths inside the box */
     char *const *envp;           /* NULL: the box's own */
     const char *work_folder;     /* host folder seen as /work, or NULL */
-    bool given_files_only;       /* as in struct box_plan */
     const char *covered;         /* as in struct box_plan, */
     const char *uncovered;       /* and the one file in it that is seen; both or none */
     const struct region *input;  /* borrowed for the session's life */
@@ -36,6 +37,10 @@ struct session_plan {
     int64_t heap_limit_bytes;    /* what the student's function may hold; 0: no limit of ours */
     uint64_t memory_limit_bytes; /* of the whole box */
     unsigned cpu_seconds;        /* hard limit of the whole session */
+    struct budget *budget;       /* of the submission, borrowed; NULL: none */
+    bool ends_by_itself;         /* its end tells something: it is told to quit, and gets some time
+                                    for that. Else it is killed where it stands: what it would
+                                    still do concerns nobody */
     int cpu;                     /* pin, -1: not */
     /* Called with its argument every few milliseconds while the program is waited for; NULL: not */
     void (*meanwhile)(void *argument);
@@ -47,13 +52,15 @@ enum call_end {
     CALL_ANSWERED, /* the runner says it is done, with the right nonce */
     CALL_CPU,      /* more CPU time than allowed */
     CALL_IDLE,     /* neither working nor waiting for a CPU */
+    CALL_SPENT,    /* more than is left of the submission's budget */
     CALL_DIED,     /* the program ended: the outcome of session_end tells how */
     CALL_NOT_READY /* the same, before the runner was ready: no code of a submission had run */
 };
 
 struct call_limits {
     int64_t cpu_ns;
-    int64_t idle_ns; /* wall time less CPU time and less waiting for a CPU */
+    int64_t
+        idle_ns; /* wall time in which it slept: it neither had nor waited for a CPU or a disk */
 };
 
 struct session {
@@ -62,7 +69,9 @@ struct session {
     struct control *control;
     uint32_t call_index;
     uint32_t input_page; /* of the input region, where the next call's input begins; 0 at first */
-    bool alive, is_ready;
+    bool alive, is_ready, ends_by_itself;
+    struct budget *budget;
+    int64_t taken_cpu_ns; /* from the budget, so far */
     int64_t cpu_start_ns; /* CPU time charged before the present call */
     void (*meanwhile)(void *argument);
     void *meanwhile_argument;
@@ -77,7 +86,7 @@ int session_start(struct session *session, const struct session_plan *plan,
 
 /* Waits until the runner has its memory and stands before its first call: every end that comes
  * later is the submission's, whatever it writes into the page. session_call does so by itself.
- * Returns CALL_ANSWERED, or CALL_NOT_READY: the program is dead. */
+ * Returns CALL_ANSWERED, or CALL_NOT_READY or CALL_SPENT: the program is dead. */
 enum call_end session_await_ready(struct session *session);
 
 /* Calls once with `input_bytes` bytes of the input region, from session->input_page on. The first

@@ -91,6 +91,20 @@ static bool has_step(const struct trial *trial, enum trial_stage stage, enum che
            trial->yardstick->inputs.exercise->checked[check];
 }
 
+/* When the budget ran out while the checks from `first` to `last` were made: what they found by
+ * that says nothing but that. What is for a person to look at stays so. */
+static bool ran_out(struct trial *trial, enum check_kind first, enum check_kind last)
+{
+    if (!budget_is_spent(&trial->budget, 0))
+        return false;
+    for (int check = (int)first; check <= (int)last; check++)
+        if (trial->checks[check].verdict != VERDICT_PASSED &&
+            trial->checks[check].verdict != VERDICT_FLAGGED)
+            check_say(&trial->checks[check], VERDICT_CPU_TIME, &attempt_budget_spent,
+                      ATTEMPT_SPENT_EN, ATTEMPT_SPENT_ES, BUDGET_SECONDS);
+    return true;
+}
+
 static int run_checks(struct trial *trial, struct error *err)
 {
     int64_t since_ns = spent_ns();
@@ -98,19 +112,25 @@ static int run_checks(struct trial *trial, struct error *err)
         undefined_check(trial, err) != 0)
         return -1;
     charge(trial, STAGE_UNDEFINED_BEHAVIOUR, &since_ns);
-    if (!cases_basic_class_passed(trial))
+    if (ran_out(trial, CHECK_UNDEFINED_BEHAVIOUR, CHECK_UNDEFINED_BEHAVIOUR) ||
+        !cases_basic_class_passed(trial))
         return 0;
     if (has_step(trial, STAGE_ALLOCATION_FAILURE, CHECK_ALLOCATION_FAILURE) &&
         sweep_check(trial, err) != 0)
         return -1;
     charge(trial, STAGE_ALLOCATION_FAILURE, &since_ns);
+    if (ran_out(trial, CHECK_ALLOCATION_FAILURE, CHECK_ALLOCATION_FAILURE))
+        return 0;
     bool right = true;
     if (has_step(trial, STAGE_MEMORY, CHECK_GROWTH) && sized_check_memory(trial, &right, err) != 0)
         return -1;
     charge(trial, STAGE_MEMORY, &since_ns);
+    if (ran_out(trial, CHECK_GROWTH, CHECK_QUERY_MEMORY))
+        return 0;
     if (right && has_step(trial, STAGE_GROWTH, CHECK_GROWTH) && sized_check_growth(trial, err) != 0)
         return -1;
     charge(trial, STAGE_GROWTH, &since_ns);
+    (void)ran_out(trial, CHECK_GROWTH, CHECK_QUERY_MEMORY);
     tell_chance(trial);
     return 0;
 }
@@ -137,6 +157,8 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
                          plain ? BUILD_PLAIN : BUILD_ALL, &trial->build, err) != 0)
         return -1;
     charge(trial, STAGE_BUILD, &since_ns);
+    trial->budget.limit_ns = (scope->budget_ns ? scope->budget_ns : BUDGET_SECONDS * 1000000000LL);
+    trial->build.budget = &trial->budget;
     trial->active_layers = trial->build.active_layers;
     if (trial->build.refusal.refused)
         return 0;
@@ -144,7 +166,7 @@ int trial_run(struct trial *trial, struct yardstick *yardstick, const char *stud
         return -1;
     charge(trial, STAGE_CASES, &since_ns);
     check_leak(trial);
-    return only_cases ? 0 : run_checks(trial, err);
+    return only_cases || budget_is_spent(&trial->budget, 0) ? 0 : run_checks(trial, err);
 }
 
 void trial_release(struct trial *trial)

@@ -41,6 +41,7 @@ struct trial_scope {
     bool quick;            /* only quick cases; no check but leak */
     unsigned left_out;     /* bits of TRIAL_CHECKS: steps that are not run */
     const char *only_case; /* NULL: all */
+    int64_t budget_ns;     /* what all runs may take together; 0: BUDGET_SECONDS */
     int64_t *stage_cpu_ns; /* [STAGE_COUNT], gets the CPU time of each step; NULL: not wanted */
 };
 
@@ -58,6 +59,7 @@ struct trial {
     int source_count;
     struct trial_scope scope;
     struct build build;
+    struct budget budget;
     struct case_result *cases; /* judge->case_count */
     struct check_result checks[CHECK_COUNT];
     struct family_result families[FAMILIES_MAX];

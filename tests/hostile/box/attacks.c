@@ -322,6 +322,45 @@ static int write_outside(void)
     return written ? SUCCEEDED : HARMLESS;
 }
 
+/* Writes 8 MB; where to go on after it. */
+static int fill_file(const char *path)
+{
+    static const char zeros[1 << 20];
+    int fd = open(path, O_CREAT | O_WRONLY, 0600);
+    for (int i = 0; fd >= 0 && i < 8; i++)
+        if (write(fd, zeros, sizeof zeros) <= 0)
+            break;
+    return fd;
+}
+
+/* 400 MB in 50 files, then folders in folders as deep as they go. */
+static int fill_disk(void)
+{
+    char path[32];
+    for (int i = 0; i < 100; i++) {
+        snprintf(path, sizeof path, i % 2 ? "file%d" : "tmp/file%d", i);
+        close(fill_file(path));
+    }
+    for (int i = 0; i < 10000 && mkdir(i ? "deep" : "tmp/deep", 0700) == 0; i++)
+        if (chdir(i ? "deep" : "tmp/deep") != 0)
+            break;
+    return HARMLESS;
+}
+
+/* The same in files that have no name and are only mapped. */
+static int fill_unseen(void)
+{
+    for (int i = 0; i < 50; i++) {
+        int fd = fill_file("tmp/file");
+        unlink("tmp/file");
+        if (fd >= 0)
+            mmap(NULL, 8 << 20, PROT_READ, MAP_SHARED, fd, 0);
+        close(fd);
+    }
+    usleep(100000);
+    return HARMLESS;
+}
+
 static int exit_zero(void)
 {
     return 0;
@@ -366,6 +405,8 @@ static const struct {
     {"use-slots", use_slots},
     {"leave-children", leave_children},
     {"write-outside", write_outside},
+    {"fill-disk", fill_disk},
+    {"fill-unseen", fill_unseen},
     {"exit-zero", exit_zero},
 };
 
