@@ -77,12 +77,11 @@ static size_t argument(int index)
 }
 
 /* Calls that kill. By a filter of its own the program could make a signal of the tool's end, and
- * jump out of it; so it could of the tool's message, written to a pipe that nobody reads or past a
- * limit of its own. */
+ * jump out of it; so it could of the tool's message, past a limit of its own. */
 static void refuse_calls(struct filter *filter)
 {
-    static const int calls[] = {SYS_execve,  SYS_execveat, SYS_chdir, SYS_fchdir,
-                                SYS_seccomp, SYS_pipe,     SYS_pipe2, SYS_setrlimit};
+    static const int calls[] = {SYS_execve, SYS_execveat, SYS_chdir,
+                                SYS_fchdir, SYS_seccomp,  SYS_setrlimit};
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
         add(filter, unless_equal(calls[i], 1));
         add(filter, end(SECCOMP_RET_KILL_PROCESS));
@@ -102,7 +101,8 @@ static void refuse_calls(struct filter *filter)
 }
 
 /* A handler of a signal that comes from outside of the program's own instructions, as that of a file
- * that got too large, could jump out of the sanitizer's last message. Setting one seems to succeed.
+ * that got too large or of a pipe that nobody reads, could jump out of the sanitizer's last message.
+ * Setting one seems to succeed. The sanitizer itself makes pipes.
  * Faults of instructions the sanitizer keeps to itself. */
 static void keep_handlers(struct filter *filter)
 {

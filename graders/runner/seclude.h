@@ -11,7 +11,7 @@ enum secluded_in { IN_NO_TOOL, IN_VALGRIND, IN_SANITIZER };
  *
  * In a tool it then gives calls up, for good: exec kills the process, so that no program can be
  * started anew without the tool or with other settings of it; so do chdir and fchdir, after which
- * valgrind would write somewhere else; and prctl, seccomp, pipes and changes of limits, by which a
+ * valgrind would write somewhere else; and prctl, seccomp and changes of limits, by which a
  * tool's end could be turned into a signal, and survived. In a sanitizer handlers can be set of no
  * signals but those of the program's own faults.
  *

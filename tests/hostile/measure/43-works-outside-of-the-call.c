@@ -25,7 +25,8 @@ __attribute__((noinline)) static void jump(void **where)
     __builtin_longjmp(where, 1);
 }
 
-/* Among what the kernel left there for main: the environment, of which the runner has its own. */
+/* Among what the kernel left there for main: the environment, of which the runner has its own. It is
+ * in the page above, as the runner begins each call in a page of its own. */
 __attribute__((noinline)) static void work_above(void)
 {
     volatile char local = 0;
@@ -35,7 +36,7 @@ __attribute__((noinline)) static void work_above(void)
         work();
         jump(back);
     }
-    above[2] = (void *)(((uintptr_t)&local | 4095) - 255);
+    above[2] = (void *)(((uintptr_t)&local | 4095) + 4096 - 255);
     jump(above);
 }
 
