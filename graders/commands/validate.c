@@ -4,6 +4,7 @@
 #include "graders/commands/common.h"
 #include "graders/commands/options.h"
 #include "graders/engine/base/files.h"
+#include "graders/engine/build/compiler.h"
 #include "graders/engine/classroom.h"
 #include "graders/engine/upload/sources.h"
 #include "graders/judges/table.h"
@@ -378,7 +379,8 @@ static int run_plan(struct plan *plan, const struct exercise *exercises, int cou
 
 static int run(int argc, char **argv)
 {
-    const char *jobs_text = NULL, *seed_text = NULL;
+    const char *jobs_text = NULL, *seed_text = NULL, *compiler = NULL;
+    struct error err = {""};
     struct plan plan = {0};
     const struct option_rule rules[] = {
         {"only", 0, "FILE,...", "just these of the exercise: wrong/a,right/b", &plan.only, NULL},
@@ -389,6 +391,8 @@ static int run(int argc, char **argv)
         {"jobs", 'j', "N", "submissions at a time (default: one a core)", &jobs_text, NULL},
         {"seed", 0, "N", "as a class of this seed is graded (default: the published seeds)",
          &seed_text, NULL},
+        {"compiler", 0, "GCC", "with this one of the machine, as gcc-11 (default: gcc)", &compiler,
+         NULL},
         {"expand", 0, "DIR", "only write the submissions to DIR, each as a whole file",
          &plan.folder, NULL},
         {"verbose", 'v', NULL, "a line also for what is as expected", NULL, &plan.verbose},
@@ -399,6 +403,10 @@ static int run(int argc, char **argv)
     plan.jobs = options_number("jobs", jobs_text, 1, sysconf(_SC_NPROCESSORS_ONLN));
     if (at < 0 || plan.jobs < 0 || options_seed(seed_text, SEED_PUBLISHED, &plan.seed) != 0)
         return EXIT_USAGE;
+    if (compiler && compiler_choose(compiler, &err) != 0) {
+        fprintf(stderr, "meshgrade: --compiler: %s\n", err.text);
+        return EXIT_USAGE;
+    }
     const char *name = at < argc ? argv[at] : NULL;
     if (plan.only && !name) {
         fputs("meshgrade: --only: name the exercise, too\n", stderr);

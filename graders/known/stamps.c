@@ -3,6 +3,7 @@
 
 #include "graders/box/box.h"
 #include "graders/engine/base/files.h"
+#include "graders/engine/build/compiler.h"
 #include "reference/base/listing.h"
 
 #include <fcntl.h>
@@ -113,7 +114,7 @@ static void add_tool(struct sha256_ctx *hash, const char *name)
 
 int stamps_machine(char machine[STAMP_KEY], struct error *err)
 {
-    static const char *const tools[] = {"gcc", "as", "ld", "objcopy", "valgrind"};
+    const char *const tools[] = {compiler_name(), "as", "ld", "objcopy", "valgrind"};
     struct sha256_ctx hash;
     struct utsname name = {0};
     struct box_probe layers[BOX_LAYER_COUNT];

@@ -185,6 +185,8 @@ static void write_script(const struct exercise *exercise, const struct source *s
 {
     char objects[2][1024] = {"", ""};
     bool all = extent == BUILD_ALL;
+    if (strcmp(compiler_name(), "gcc") != 0)
+        add(script, "gcc() { /usr/bin/%s \"$@\"; }\n", compiler_name());
     add(script, CHOOSE_LINKER);
     add_probe(script);
     add_sanitize(script);

@@ -3,6 +3,8 @@
 #ifndef GRADERS_ENGINE_BUILD_COMPILER_H
 #define GRADERS_ENGINE_BUILD_COMPILER_H
 
+#include "reference/base/error.h"
+
 /* Four liberties of old C that gcc 14 refuses by itself are refused by every gcc: functions and
  * types that were never declared, numbers for pointers, pointers of one type for another. */
 #define COMPILER_LANGUAGE                                                                          \
@@ -12,6 +14,14 @@
 /* Names of system headers stay as the compiler found them: where one is a link, another place would
  * be told, which differs between distributions. */
 #define COMPILER_NAMES "-fno-working-directory -fno-canonical-system-headers"
+
+/* Another gcc than the one called so, for all that is built after this: "gcc-11", in /usr/bin. To be
+ * called first of all, before threads are. Returns 0, or -1 and *err: no such program there, or a
+ * name that is no gcc's. */
+int compiler_choose(const char *name, struct error *err) MUST_CHECK;
+
+/* "gcc", or what was chosen. */
+const char *compiler_name(void);
 
 /* The folders that gcc searches for system headers, as it tells them itself; NULL-terminated, asked
  * for once. Without an answer (no compiler) the usual two. Lives as long as the program. */

@@ -1,6 +1,8 @@
 /* Asks the tools what they are; see toolset.h. */
 #include "graders/engine/build/toolset.h"
 
+#include "graders/engine/build/compiler.h"
+
 #include <pthread.h>
 #include <stdio.h>
 #include <string.h>
@@ -62,7 +64,9 @@ static void ask_layers(void)
 
 static void ask(void)
 {
-    ask_line(HERE "gcc" QUIETLY, here.compiler);
+    char question[128];
+    snprintf(question, sizeof question, HERE "%s" QUIETLY, compiler_name());
+    ask_line(question, here.compiler);
     ask_line(HERE "ldd" QUIETLY, here.libc);
     ask_line(HERE "valgrind" QUIETLY, here.valgrind);
     ask_layers();
