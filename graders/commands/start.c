@@ -30,14 +30,18 @@ static int copy(const struct exercise *exercise, const char *from_name, const ch
     return result;
 }
 
+/* Names by exercise: several can be in one folder. */
 static int copy_all(const struct exercise *exercise, const char *folder, struct error *err)
 {
-    char header[EXERCISE_NAME + 4], source[EXERCISE_NAME + 4];
+    char header[EXERCISE_NAME + 8], source[EXERCISE_NAME + 8];
+    char english[EXERCISE_NAME + 8], spanish[EXERCISE_NAME + 8];
     snprintf(header, sizeof header, "%s.h", exercise->name);
     snprintf(source, sizeof source, "%s.c", exercise->name);
+    snprintf(english, sizeof english, "%s.md", exercise->name);
+    snprintf(spanish, sizeof spanish, "%s.es.md", exercise->name);
     return folder_make(folder, err) != 0 ||
-                   copy(exercise, "README.md", folder, "README.md", err) != 0 ||
-                   copy(exercise, "README.es.md", folder, "README.es.md", err) != 0 ||
+                   copy(exercise, "README.md", folder, english, err) != 0 ||
+                   copy(exercise, "README.es.md", folder, spanish, err) != 0 ||
                    copy(exercise, header, folder, header, err) != 0 ||
                    copy(exercise, "starter.c", folder, source, err) != 0
                ? -1

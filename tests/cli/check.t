@@ -90,10 +90,12 @@ ok "a seed that is no number is wrong usage" exits_with 64 "$meshgrade" check ed
 
 cd "$scratch" || exit 1
 "$meshgrade" start edge-table-any work >/dev/null
-ok "start gives statement, header and starter" [ -s work/README.md -a -s work/README.es.md -a -s work/edge-table-any.h -a -s work/edge-table-any.c ]
+ok "start gives statement, header and starter" [ -s work/edge-table-any.md -a -s work/edge-table-any.es.md -a -s work/edge-table-any.h -a -s work/edge-table-any.c ]
 "$meshgrade" check edge-table-any work/edge-table-any.c --quick >/dev/null
 ok "the starter compiles and is a wrong answer" [ $? -eq 1 ]
 echo mine >work/edge-table-any.c
+"$meshgrade" start mesh-area work >/dev/null
+ok "a second exercise in the folder has its own statement" cmp -s work/mesh-area.md "$root/exercises/processing/mesh-area/README.md"
 "$meshgrade" start edge-table-any work >/dev/null 2>&1
 ok "start never overwrites a student's work" [ "$(cat work/edge-table-any.c)" = mine ]
 done_testing
