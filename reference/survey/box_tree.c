@@ -7,12 +7,12 @@
 
 enum { LEAF_ITEMS = 4, CURVE_BITS = 20, DEPTH_LIMIT = 64 };
 
-struct box box_empty(void)
+struct bounds bounds_empty(void)
 {
-    return (struct box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    return (struct bounds){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 }
 
-void box_include(struct box *box, const float point[3])
+void bounds_include(struct bounds *box, const float point[3])
 {
     for (int axis = 0; axis < 3; axis++) {
         box->low[axis] = fminf(box->low[axis], point[axis]);
@@ -21,7 +21,7 @@ void box_include(struct box *box, const float point[3])
 }
 
 /* An empty box adds nothing. */
-static void include_box(struct box *box, const struct box *other)
+static void include_box(struct bounds *box, const struct bounds *other)
 {
     for (int axis = 0; axis < 3; axis++) {
         box->low[axis] = fminf(box->low[axis], other->low[axis]);
@@ -29,7 +29,7 @@ static void include_box(struct box *box, const struct box *other)
     }
 }
 
-static inline bool boxes_meet(const struct box *a, const struct box *b)
+static inline bool boxes_meet(const struct bounds *a, const struct bounds *b)
 {
     return a->low[0] <= b->high[0] && b->low[0] <= a->high[0] && a->low[1] <= b->high[1] &&
            b->low[1] <= a->high[1] && a->low[2] <= b->high[2] && b->low[2] <= a->high[2];
@@ -52,7 +52,7 @@ static uint64_t spread(uint64_t bits)
     return (bits | bits << 2) & UINT64_C(0x1249249249249249);
 }
 
-static uint64_t place_of(const struct box *box, const struct box *all)
+static uint64_t place_of(const struct bounds *box, const struct bounds *all)
 {
     uint64_t place = 0;
     for (int axis = 0; axis < 3; axis++) {
@@ -101,7 +101,7 @@ static int32_t leaf_begin(const struct box_tree *tree, int32_t leaf)
 static void fill_nodes(struct box_tree *tree)
 {
     for (int32_t leaf = 0; leaf < tree->leaf_count; leaf++) {
-        struct box box = box_empty();
+        struct bounds box = bounds_empty();
         for (int32_t i = leaf_begin(tree, leaf); i < leaf_begin(tree, leaf + 1); i++)
             include_box(&box, &tree->boxes[i]);
         tree->nodes[tree->leaf_count - 1 + leaf] = box;
@@ -112,10 +112,10 @@ static void fill_nodes(struct box_tree *tree)
     }
 }
 
-static void sort_items(struct box_tree *tree, const struct box *boxes,
+static void sort_items(struct box_tree *tree, const struct bounds *boxes,
                        struct place_on_curve *places)
 {
-    struct box all = box_empty();
+    struct bounds all = bounds_empty();
     for (int32_t i = 0; i < tree->count; i++)
         include_box(&all, &boxes[i]);
     for (int32_t i = 0; i < tree->count; i++)
@@ -127,7 +127,8 @@ static void sort_items(struct box_tree *tree, const struct box *boxes,
     }
 }
 
-int box_tree_build(struct box_tree *tree, const struct box *boxes, int32_t count, struct error *err)
+int box_tree_build(struct box_tree *tree, const struct bounds *boxes, int32_t count,
+                   struct error *err)
 {
     *tree = (struct box_tree){.count = count, .leaf_count = 1};
     while ((int64_t)tree->leaf_count * LEAF_ITEMS < count)
@@ -162,14 +163,14 @@ void box_tree_release(struct box_tree *tree)
 /* A walk over the leaves from `first` on that meet a box: call next_leaf until it returns -1. */
 struct leaf_walk {
     const struct box_tree *tree;
-    const struct box *box;
+    const struct bounds *box;
     int32_t first;
     int32_t stack[DEPTH_LIMIT]; /* nodes to look at, the next one last */
     int depth;
 };
 
-static void start_walk(struct leaf_walk *walk, const struct box_tree *tree, const struct box *box,
-                       int32_t first)
+static void start_walk(struct leaf_walk *walk, const struct box_tree *tree,
+                       const struct bounds *box, int32_t first)
 {
     walk->tree = tree;
     walk->box = box;
@@ -201,7 +202,7 @@ static int32_t next_leaf(struct leaf_walk *walk)
     return -1;
 }
 
-void box_tree_find(const struct box_tree *tree, const struct box *box,
+void box_tree_find(const struct box_tree *tree, const struct bounds *box,
                    bool (*visit)(void *context, int32_t item), void *context)
 {
     struct leaf_walk walk;

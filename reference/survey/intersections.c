@@ -67,7 +67,7 @@ static bool look_at_pair(void *context, int32_t one_box, int32_t other_box)
 }
 
 /* Boxes of the triangles that have an inside; `triangles` becomes their numbers. */
-static int32_t fill_boxes(const struct mesh *mesh, struct box *boxes, int32_t *triangles)
+static int32_t fill_boxes(const struct mesh *mesh, struct bounds *boxes, int32_t *triangles)
 {
     int32_t count = 0;
     for (int32_t t = 0; t < mesh->triangle_count; t++) {
@@ -75,9 +75,9 @@ static int32_t fill_boxes(const struct mesh *mesh, struct box *boxes, int32_t *t
             continue;
         const float *p[3];
         corners_of(mesh, t, p);
-        boxes[count] = box_empty();
+        boxes[count] = bounds_empty();
         for (int i = 0; i < 3; i++)
-            box_include(&boxes[count], p[i]);
+            bounds_include(&boxes[count], p[i]);
         triangles[count++] = t;
     }
     return count;
@@ -87,7 +87,7 @@ int survey_find_crossings(struct mesh_survey *survey, const struct mesh *mesh, i
                           struct error *err)
 {
     size_t room = (size_t)mesh->triangle_count + 1;
-    struct box *boxes = malloc(room * sizeof *boxes);
+    struct bounds *boxes = malloc(room * sizeof *boxes);
     int32_t *triangles = malloc(room * sizeof *triangles);
     struct box_tree tree = {0};
     int result = boxes && triangles ? 0 : error_set(err, "out of memory: boxes of triangles");

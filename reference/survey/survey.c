@@ -63,9 +63,9 @@ static void measure_size(struct mesh_survey *survey, const struct mesh *mesh)
 
 static void measure_box(struct mesh_survey *survey, const struct mesh *mesh)
 {
-    survey->box = box_empty();
+    survey->box = bounds_empty();
     for (int64_t v = 0; v < mesh->vertex_count; v++)
-        box_include(&survey->box, mesh->positions + 3 * v);
+        bounds_include(&survey->box, mesh->positions + 3 * v);
 }
 
 static void choose_tolerance(struct mesh_survey *survey, double wished)

@@ -68,7 +68,7 @@ struct mesh_survey {
     double volume;            /* inside; negative when the triangles face inwards. See has_volume */
     bool has_genus;           /* manifold, orientable, nothing degenerate */
     bool has_volume;          /* closed, manifold and coherent */
-    struct box box;           /* of all vertices; low > high when there is none */
+    struct bounds box;        /* of all vertices; low > high when there is none */
     /* Valence: edges at a vertex, of vertices that are not isolated. */
     int32_t least_valence, most_valence;
     double mean_valence;

@@ -177,9 +177,9 @@ static float widened(float coordinate, double by)
     return nextafterf(moved, by < 0 ? -INFINITY : INFINITY);
 }
 
-static struct box box_around(const float *point, double tolerance)
+static struct bounds box_around(const float *point, double tolerance)
 {
-    struct box box;
+    struct bounds box;
     for (int axis = 0; axis < 3; axis++) {
         box.low[axis] = widened(point[axis], -tolerance);
         box.high[axis] = widened(point[axis], tolerance);
@@ -194,7 +194,7 @@ static int search_vertices(struct mesh_survey *survey, const struct box_tree *tr
     for (int32_t v = 0; v < mesh->vertex_count && search->looked < search->limit; v++) {
         if (!is_boundary[v])
             continue;
-        struct box box = box_around(point_of(search->boundary, v), search->tolerance);
+        struct bounds box = box_around(point_of(search->boundary, v), search->tolerance);
         search->vertex = v;
         search->found = -1;
         box_tree_find(tree, &box, look_at_edge, search);
@@ -210,14 +210,14 @@ static int search_vertices(struct mesh_survey *survey, const struct box_tree *tr
 }
 
 static int search_with_room(struct mesh_survey *survey, const struct boundary *boundary,
-                            struct box *boxes, uint8_t *is_boundary, int64_t limit,
+                            struct bounds *boxes, uint8_t *is_boundary, int64_t limit,
                             struct error *err)
 {
     for (int64_t i = 0; i < boundary->count; i++) {
         const struct edge *edge = boundary_edge(boundary, i);
-        boxes[i] = box_empty();
-        box_include(&boxes[i], point_of(boundary, edge->low));
-        box_include(&boxes[i], point_of(boundary, edge->high));
+        boxes[i] = bounds_empty();
+        bounds_include(&boxes[i], point_of(boundary, edge->low));
+        bounds_include(&boxes[i], point_of(boundary, edge->high));
         is_boundary[edge->low] = is_boundary[edge->high] = 1;
     }
     struct box_tree tree;
@@ -235,7 +235,7 @@ int survey_find_t_vertices(struct mesh_survey *survey, const struct mesh *mesh,
     struct boundary boundary;
     if (collect_boundary(&boundary, mesh, list, survey->topology.boundary.count, err))
         return -1;
-    struct box *boxes = malloc(((size_t)boundary.count + 1) * sizeof *boxes);
+    struct bounds *boxes = malloc(((size_t)boundary.count + 1) * sizeof *boxes);
     uint8_t *is_boundary = calloc((size_t)mesh->vertex_count + 1, 1);
     int result = boxes && is_boundary
                      ? search_with_room(survey, &boundary, boxes, is_boundary, pair_limit, err)

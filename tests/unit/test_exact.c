@@ -323,7 +323,7 @@ static bool note_item(void *context, int32_t item)
     return ++found->count < found->limit;
 }
 
-static bool boxes_meet(const struct box *a, const struct box *b)
+static bool boxes_meet(const struct bounds *a, const struct bounds *b)
 {
     for (int k = 0; k < 3; k++)
         if (a->low[k] > b->high[k] || b->low[k] > a->high[k])
@@ -331,17 +331,17 @@ static bool boxes_meet(const struct box *a, const struct box *b)
     return true;
 }
 
-static void draw_boxes(struct box *boxes, int count, struct random *rng)
+static void draw_boxes(struct bounds *boxes, int count, struct random *rng)
 {
     for (int i = 0; i < count; i++) {
-        boxes[i] = box_empty();
+        boxes[i] = bounds_empty();
         float from[3], to[3];
         for (int k = 0; k < 3; k++) {
             from[k] = (float)below(rng, 40);
             to[k] = from[k] + (float)random_below(rng, random_below(rng, 40) == 0 ? 60 : 8);
         }
-        box_include(&boxes[i], from);
-        box_include(&boxes[i], to);
+        bounds_include(&boxes[i], from);
+        bounds_include(&boxes[i], to);
     }
 }
 
@@ -350,7 +350,7 @@ static void every_pair_of_boxes_that_meet_is_visited_once(void **state)
     (void)state;
     static struct found found;
     struct random rng;
-    struct box boxes[BOXES];
+    struct bounds boxes[BOXES];
     random_init(&rng, 3);
     for (int round = 0; round < 40; round++) {
         int count = round < 12 ? round : (int)random_below(&rng, BOXES);
@@ -368,7 +368,7 @@ static void every_pair_of_boxes_that_meet_is_visited_once(void **state)
                 assert_int_equal(found.pairs[i][k], boxes_meet(&boxes[i], &boxes[k]));
         memset(&found, 0, sizeof found);
         found.limit = INT64_MAX;
-        struct box query;
+        struct bounds query;
         draw_boxes(&query, 1, &rng);
         box_tree_find(&tree, &query, note_item, &found);
         for (int i = 0; i < count; i++)
@@ -382,10 +382,10 @@ static void a_search_ends_when_it_is_told_to(void **state)
 {
     (void)state;
     static struct found found;
-    struct box boxes[20];
+    struct bounds boxes[20];
     struct box_tree tree;
     for (int i = 0; i < 20; i++)
-        boxes[i] = (struct box){{0, 0, 0}, {1, 1, 1}};
+        boxes[i] = (struct bounds){{0, 0, 0}, {1, 1, 1}};
     assert_int_equal(box_tree_build(&tree, boxes, 20, NULL), 0);
     found.limit = 7;
     box_tree_find_pairs(&tree, note_pair, &found);

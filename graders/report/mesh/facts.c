@@ -97,7 +97,7 @@ static void say_shape(const struct mesh_survey *survey, struct message *text)
         message_add(text, ", facing inwards", ", mirando hacia dentro");
 }
 
-static void say_box(const struct box *box, struct message *text)
+static void say_box(const struct bounds *box, struct message *text)
 {
     double size[3];
     for (int i = 0; i < 3; i++)
@@ -131,7 +131,8 @@ static void say_valence(const struct mesh_survey *survey, struct message *text)
                 survey->most_valence, survey->mean_valence);
     if (usual > 0 && usual < SURVEY_VALENCES) {
         double share = 100 * (double)survey->valence_counts[usual] / (double)used;
-        message_add(text, ", most often %d (%.3g %%)", ", lo más frecuente %d (%.3g %%)", usual, share);
+        message_add(text, ", most often %d (%.3g %%)", ", lo más frecuente %d (%.3g %%)", usual,
+                    share);
     }
 }
 
