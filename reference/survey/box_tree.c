@@ -224,12 +224,9 @@ struct pair_search {
 static bool find_pairs_of(const struct pair_search *search, int32_t i, int32_t k, int32_t end)
 {
     const struct box_tree *tree = search->tree;
-    for (; k < end; k++) {
-        int32_t one = tree->items[i], other = tree->items[k];
-        if (boxes_meet(&tree->boxes[i], &tree->boxes[k]) &&
-            !search->visit(search->context, one < other ? one : other, one < other ? other : one))
+    for (; k < end; k++)
+        if (boxes_meet(&tree->boxes[i], &tree->boxes[k]) && !search->visit(search->context, i, k))
             return false;
-    }
     return true;
 }
 

@@ -32,7 +32,9 @@ void box_tree_release(struct box_tree *tree);
 void box_tree_find(const struct box_tree *tree, const struct bounds *box,
                    bool (*visit)(void *context, int32_t item), void *context);
 
-/* Visits every pair of items whose boxes meet, once, the smaller number first. */
+/* Visits every pair whose boxes meet, once, until visit returns false: by their places on the curve, the
+ * earlier first, so that who keeps data in that order finds it together. The item at a place is
+ * tree->items[place]. */
 void box_tree_find_pairs(const struct box_tree *tree,
                          bool (*visit)(void *context, int32_t one, int32_t other), void *context);
 

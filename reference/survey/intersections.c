@@ -4,6 +4,7 @@
 #include "reference/survey/faults.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static void corners_of(const struct mesh *mesh, int64_t triangle, const float *corners[3])
 {
@@ -31,9 +32,16 @@ int survey_find_flat(struct mesh_survey *survey, const struct mesh *mesh, struct
 
 /* -- crossings -------------------------------------------------------------------------------- */
 
+/* Triangles by their places on the tree's curve, so that neighbours lie together whatever the numbering
+ * is. */
+struct placed_triangle {
+    float corner[3][3];
+    int32_t number;
+};
+
 struct crossing_search {
     const struct mesh *mesh;
-    const int32_t *triangles; /* of each box */
+    const struct placed_triangle *placed;
     struct survey_fault *fault;
     struct error *err;
     int64_t looked, limit;
@@ -46,23 +54,25 @@ static bool has_vertex(const int32_t *triangle, int32_t vertex)
 }
 
 /* Neither is degenerate. */
-static bool same_three_vertices(const int32_t *a, const int32_t *b)
+static bool same_three_vertices(const struct mesh *mesh, int32_t one, int32_t other)
 {
+    const int32_t *a = mesh->triangles + 3 * (int64_t)one;
+    const int32_t *b = mesh->triangles + 3 * (int64_t)other;
     return has_vertex(a, b[0]) && has_vertex(a, b[1]) && has_vertex(a, b[2]);
 }
 
-static bool look_at_pair(void *context, int32_t one_box, int32_t other_box)
+static bool look_at_pair(void *context, int32_t one_place, int32_t other_place)
 {
     struct crossing_search *search = context;
-    const struct mesh *mesh = search->mesh;
-    int32_t one = search->triangles[one_box], other = search->triangles[other_box];
-    const float *p[3], *q[3];
-    corners_of(mesh, one, p);
-    corners_of(mesh, other, q);
-    if (triangles_cross(p, q) && !same_three_vertices(mesh->triangles + 3 * (int64_t)one,
-                                                      mesh->triangles + 3 * (int64_t)other))
+    const struct placed_triangle *a = &search->placed[one_place];
+    const struct placed_triangle *b = &search->placed[other_place];
+    const float *p[3] = {a->corner[0], a->corner[1], a->corner[2]};
+    const float *q[3] = {b->corner[0], b->corner[1], b->corner[2]};
+    int32_t low = a->number < b->number ? a->number : b->number;
+    int32_t high = a->number < b->number ? b->number : a->number;
+    if (triangles_cross(p, q) && !same_three_vertices(search->mesh, low, high))
         search->result =
-            survey_note(search->fault, (struct survey_element){{one, other, -1, -1}}, search->err);
+            survey_note(search->fault, (struct survey_element){{low, high, -1, -1}}, search->err);
     return search->result == 0 && ++search->looked < search->limit;
 }
 
@@ -83,20 +93,44 @@ static int32_t fill_boxes(const struct mesh *mesh, struct bounds *boxes, int32_t
     return count;
 }
 
+static int build_tree(struct box_tree *tree, const struct mesh *mesh, int32_t *triangles,
+                      struct error *err)
+{
+    struct bounds *boxes = malloc(((size_t)mesh->triangle_count + 1) * sizeof *boxes);
+    if (!boxes)
+        return error_set(err, "out of memory: boxes of triangles");
+    int result = box_tree_build(tree, boxes, fill_boxes(mesh, boxes, triangles), err);
+    free(boxes);
+    return result;
+}
+
+static void place_triangles(const struct box_tree *tree, const struct mesh *mesh,
+                            const int32_t *triangles, struct placed_triangle *placed)
+{
+    for (int32_t place = 0; place < tree->count; place++) {
+        const float *p[3];
+        placed[place].number = triangles[tree->items[place]];
+        corners_of(mesh, placed[place].number, p);
+        for (int i = 0; i < 3; i++)
+            memcpy(placed[place].corner[i], p[i], sizeof placed[place].corner[i]);
+    }
+}
+
 int survey_find_crossings(struct mesh_survey *survey, const struct mesh *mesh, int64_t pair_limit,
                           struct error *err)
 {
     size_t room = (size_t)mesh->triangle_count + 1;
-    struct bounds *boxes = malloc(room * sizeof *boxes);
     int32_t *triangles = malloc(room * sizeof *triangles);
+    struct placed_triangle *placed = malloc(room * sizeof *placed);
     struct box_tree tree = {0};
-    int result = boxes && triangles ? 0 : error_set(err, "out of memory: boxes of triangles");
+    int result =
+        triangles && placed ? 0 : error_set(err, "out of memory: triangles by their places");
     if (result == 0)
-        result = box_tree_build(&tree, boxes, fill_boxes(mesh, boxes, triangles), err);
-    free(boxes);
+        result = build_tree(&tree, mesh, triangles, err);
     if (result == 0) {
+        place_triangles(&tree, mesh, triangles, placed);
         struct crossing_search search = {.mesh = mesh,
-                                         .triangles = triangles,
+                                         .placed = placed,
                                          .fault = &survey->faults[SURVEY_CROSSING],
                                          .err = err,
                                          .limit = pair_limit};
@@ -106,6 +140,7 @@ int survey_find_crossings(struct mesh_survey *survey, const struct mesh *mesh, i
         result = search.result;
     }
     box_tree_release(&tree);
+    free(placed);
     free(triangles);
     return result;
 }

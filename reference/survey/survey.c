@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { USUAL_PAIRS = 50000000, PAIRS_OF_A_TRIANGLE = 100 };
+enum { USUAL_PAIRS = 20000000, PAIRS_OF_A_TRIANGLE = 50 };
 
 /* -- measures --------------------------------------------------------------------------------- */
 

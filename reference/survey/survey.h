@@ -9,10 +9,11 @@
  *     }
  *     mesh_survey_release(&survey);
  *
- * Cost: O(n log n) for n vertices and triangles, but for the searches in space (T-vertices and
- * crossings), which look at pairs whose boxes meet: about linear where triangles are of like size,
- * and ended at a limit where they are not (survey_wish). About 120 bytes a triangle while it runs,
- * and 100 more for crossings. */
+ * Cost: O(n log n) for n vertices and triangles, but for the searches in space (T-vertices and crossings),
+ * which look at pairs whose boxes meet: about linear where triangles are of like size, and ended at a
+ * limit where they are not (survey_wish). A million triangles take 0.25 s in order and 1.5 s
+ * scrambled, and crossings 1.1 s more (Zen, one core). About 120 bytes a triangle while it runs, and 150 more
+ * for crossings. */
 #ifndef REFERENCE_SURVEY_SURVEY_H
 #define REFERENCE_SURVEY_SURVEY_H
 
@@ -54,7 +55,7 @@ struct survey_wish {
     bool without_crossings; /* do not search them */
     double tolerance;   /* how near a T-vertex lies to its edge; 0: a millionth of the diagonal of
                                the mesh's box, and not below the rounding of its coordinates */
-    int64_t pair_limit; /* pairs that a search in space looks at, at most; 0: 50 million and 100 a
+    int64_t pair_limit; /* pairs that a search in space looks at, at most; 0: 20 million and 50 a
                                triangle, some seconds */
 };
 

@@ -306,13 +306,16 @@ enum { BOXES = 700 };
 struct found {
     uint8_t pairs[BOXES][BOXES];
     int64_t count, limit;
+    const struct box_tree *tree;
 };
 
 static bool note_pair(void *context, int32_t one, int32_t other)
 {
     struct found *found = context;
     assert_true(one < other);
-    assert_int_equal(found->pairs[one][other]++, 0);
+    one = found->tree->items[one];
+    other = found->tree->items[other];
+    assert_int_equal(found->pairs[one < other ? one : other][one < other ? other : one]++, 0);
     return ++found->count < found->limit;
 }
 
@@ -362,6 +365,7 @@ static void every_pair_of_boxes_that_meet_is_visited_once(void **state)
         assert_int_equal(box_tree_build(&tree, boxes, count, NULL), 0);
         memset(&found, 0, sizeof found);
         found.limit = INT64_MAX;
+        found.tree = &tree;
         box_tree_find_pairs(&tree, note_pair, &found);
         for (int i = 0; i < count; i++)
             for (int k = i + 1; k < count; k++)
@@ -388,6 +392,7 @@ static void a_search_ends_when_it_is_told_to(void **state)
         boxes[i] = (struct bounds){{0, 0, 0}, {1, 1, 1}};
     assert_int_equal(box_tree_build(&tree, boxes, 20, NULL), 0);
     found.limit = 7;
+    found.tree = &tree;
     box_tree_find_pairs(&tree, note_pair, &found);
     assert_int_equal(found.count, 7);
     memset(&found, 0, sizeof found);
