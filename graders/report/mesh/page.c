@@ -122,6 +122,7 @@ static void write_page(struct html *page, const struct page_context *context,
     html_leaf(page, "h1", NULL, name);
     html_open(page, "article");
     html_attribute(page, "class", "case");
+    html_attribute(page, "id", "mesh");
     page_scene(page, context, "mesh", scene, message_phrase(&facts[0].text));
     html_open(page, "div");
     html_attribute(page, "class", "what");

@@ -105,14 +105,22 @@ static void mark_faults(struct scene *scene, const struct mesh_report *report)
         scene_name_marks(scene, mark_names[i].mark, mark_names[i].name);
 }
 
-static int mark_boundary(struct scene *scene, const struct mesh *mesh, struct error *err)
+/* Both edges and cracks come by their vertices' numbers. What is a crack is not marked a second time. */
+static int mark_boundary(struct scene *scene, const struct mesh *mesh,
+                         const struct survey_fault *cracks, struct error *err)
 {
     struct edge_list list;
     if (edge_list_init(&list, mesh, err))
         return -1;
-    for (int64_t e = 0; e < list.edge_count; e++)
-        if (edge_use_count(&list.edges[e]) == 1)
-            scene_mark_edge(scene, MARK_BOUNDARY, list.edges[e].low, list.edges[e].high);
+    int32_t next = 0;
+    for (int64_t e = 0; e < list.edge_count; e++) {
+        const struct edge *edge = &list.edges[e];
+        bool is_crack = next < cracks->kept_count && cracks->kept[next].at[0] == edge->low &&
+                        cracks->kept[next].at[1] == edge->high;
+        next += is_crack;
+        if (edge_use_count(edge) == 1 && !is_crack)
+            scene_mark_edge(scene, MARK_BOUNDARY, edge->low, edge->high);
+    }
     edge_list_release(&list);
     return 0;
 }
@@ -137,7 +145,8 @@ json_t *mesh_report_scene(const struct mesh_report *report, struct error *err)
     if (scene_set_mesh(&scene, mesh->positions, mesh->vertex_count, mesh->triangles,
                        mesh->triangle_count, err) == 0) {
         mark_faults(&scene, report);
-        if (report->survey.topology.boundary.count == 0 || mark_boundary(&scene, mesh, err) == 0)
+        if (report->survey.topology.boundary.count == 0 ||
+            mark_boundary(&scene, mesh, &report->survey.faults[SURVEY_CRACK], err) == 0)
             json = scene_to_json(&scene);
     }
     scene_release(&scene);
