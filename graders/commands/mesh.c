@@ -80,6 +80,17 @@ static int look_at(const struct mesh_settings *settings, const char *name, json_
     return code;
 }
 
+static int read_tolerance(struct mesh_settings *settings)
+{
+    char *end;
+    settings->tolerance = strtod(settings->tolerance_text, &end);
+    if (*end == '\0' && settings->tolerance > 0 && isfinite(settings->tolerance))
+        return 0;
+    fprintf(stderr, "meshgrade: --tolerance %s: expected a distance greater than 0\n",
+            settings->tolerance_text);
+    return -1;
+}
+
 static bool settings_are_good(struct mesh_settings *settings, int file_count)
 {
     if (file_count < 1) {
@@ -91,14 +102,8 @@ static bool settings_are_good(struct mesh_settings *settings, int file_count)
         fprintf(stderr, "meshgrade: --picture and --page show one file, not %d\n", file_count);
         return false;
     }
-    char *end = NULL;
-    settings->tolerance = settings->tolerance_text ? strtod(settings->tolerance_text, &end) : 0;
-    if (settings->tolerance_text &&
-        (*end != '\0' || !(settings->tolerance > 0) || !isfinite(settings->tolerance))) {
-        fprintf(stderr, "meshgrade: --tolerance %s: expected a distance greater than 0\n",
-                settings->tolerance_text);
+    if (settings->tolerance_text && read_tolerance(settings) != 0)
         return false;
-    }
     return options_language(settings->language_text, language_here(), &settings->language) == 0;
 }
 

@@ -6,18 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void corners_of(const struct mesh *mesh, int64_t triangle, const float *corners[3])
+static const float *corner_of(const struct mesh *mesh, int64_t triangle, int i)
 {
-    for (int i = 0; i < 3; i++)
-        corners[i] = mesh->positions + 3 * (int64_t)mesh->triangles[3 * triangle + i];
+    return mesh->positions + 3 * (int64_t)mesh->triangles[3 * triangle + i];
 }
 
-/* Whether the triangle names three vertices and they lie on a line. */
+/* Whether the three corners of the triangle lie on a line. */
 static bool is_flat(const struct mesh *mesh, int64_t triangle)
 {
-    const float *p[3];
-    corners_of(mesh, triangle, p);
-    return exact_on_line(p[0], p[1], p[2]);
+    return exact_on_line(corner_of(mesh, triangle, 0), corner_of(mesh, triangle, 1),
+                         corner_of(mesh, triangle, 2));
 }
 
 int survey_find_flat(struct mesh_survey *survey, const struct mesh *mesh, struct error *err)
@@ -83,11 +81,9 @@ static int32_t fill_boxes(const struct mesh *mesh, struct bounds *boxes, int32_t
     for (int32_t t = 0; t < mesh->triangle_count; t++) {
         if (is_flat(mesh, t))
             continue;
-        const float *p[3];
-        corners_of(mesh, t, p);
         boxes[count] = bounds_empty();
         for (int i = 0; i < 3; i++)
-            bounds_include(&boxes[count], p[i]);
+            bounds_include(&boxes[count], corner_of(mesh, t, i));
         triangles[count++] = t;
     }
     return count;
@@ -108,11 +104,10 @@ static void place_triangles(const struct box_tree *tree, const struct mesh *mesh
                             const int32_t *triangles, struct placed_triangle *placed)
 {
     for (int32_t place = 0; place < tree->count; place++) {
-        const float *p[3];
         placed[place].number = triangles[tree->items[place]];
-        corners_of(mesh, placed[place].number, p);
         for (int i = 0; i < 3; i++)
-            memcpy(placed[place].corner[i], p[i], sizeof placed[place].corner[i]);
+            memcpy(placed[place].corner[i], corner_of(mesh, placed[place].number, i),
+                   sizeof placed[place].corner[i]);
     }
 }
 

@@ -278,7 +278,7 @@ static void crossings_are_those_of_fractions(void **state)
     int crossing = 0, flat_pairs = 0, rounds = 0;
     random_init(&rng, 11);
     while (rounds < 60000) {
-        struct whole_triangle s, t;
+        struct whole_triangle s = {.corner = {NULL}}, t = {.corner = {NULL}};
         int64_t size = 1 + (int64_t)random_below(&rng, 6);
         if (!draw_triangle(&s, &rng, size) || !draw_triangle(&t, &rng, size))
             continue;
