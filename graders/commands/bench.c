@@ -294,7 +294,7 @@ static void tell_reading(const struct bench_mesh *mesh)
 
 static bool settings_are_good(const struct settings *settings)
 {
-    struct bench_mesh mesh;
+    struct bench_mesh mesh = {.path = ""};
     struct error err = {""};
     if (settings->mesh && bench_mesh_find(settings->mesh, &mesh, &err) != 0) {
         report_fault(&err);

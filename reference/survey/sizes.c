@@ -23,7 +23,7 @@ int survey_sizes(const struct mesh *mesh, const struct topology *topology,
 {
     unsigned features = mesh_features(topology);
     int count = 0;
-    for (; representation_table[count] && count < SURVEY_SIZES; count++) {
+    for (; count < SURVEY_SIZES && representation_table[count]; count++) {
         const struct representation *kind = representation_table[count];
         unsigned obstacles = features & ~kind->holds;
         sizes[count] = (struct representation_size){kind, -1, obstacles & -obstacles};

@@ -152,7 +152,7 @@ static int64_t dot(const int64_t u[3], const int64_t v[3])
 
 static void normal_of(const struct whole_triangle *t, int64_t normal[3])
 {
-    int64_t u[3], v[3];
+    int64_t u[3] = {0}, v[3] = {0};
     for (int k = 0; k < 3; k++) {
         u[k] = t->x[1][k] - t->x[0][k];
         v[k] = t->x[2][k] - t->x[0][k];
@@ -162,7 +162,7 @@ static void normal_of(const struct whole_triangle *t, int64_t normal[3])
 
 static bool draw_triangle(struct whole_triangle *t, struct random *rng, int64_t size)
 {
-    int64_t normal[3];
+    int64_t normal[3] = {0};
     for (int i = 0; i < 3; i++) {
         t->corner[i] = t->p[i];
         for (int k = 0; k < 3; k++) {
@@ -188,9 +188,10 @@ static bool is_less(struct fraction a, struct fraction b)
 static bool piece_of(const struct whole_triangle *t, const struct whole_triangle *plane,
                      const int64_t line[3], struct fraction ends[2])
 {
-    int64_t normal[3], height[3];
+    int64_t normal[3] = {0}, height[3] = {0};
     int count = 0;
     bool above = false, under = false;
+    ends[0] = ends[1] = (struct fraction){0, 1};
     normal_of(plane, normal);
     for (int i = 0; i < 3; i++) {
         height[i] = dot(normal, t->x[i]) - dot(normal, plane->x[0]);
@@ -225,7 +226,7 @@ static double shared_area(const struct whole_triangle *s, const struct whole_tri
     enum { MOST = 16 };
     double polygon[MOST][2], next[MOST][2], area = 0;
     int x = (axis + 1) % 3, y = (axis + 2) % 3, count = 3;
-    int64_t normal[3];
+    int64_t normal[3] = {0};
     normal_of(t, normal);
     double turn = normal[axis] > 0 ? 1 : -1;
     for (int i = 0; i < 3; i++) {
@@ -259,8 +260,8 @@ static double shared_area(const struct whole_triangle *s, const struct whole_tri
 
 static bool plainly_cross(const struct whole_triangle *s, const struct whole_triangle *t)
 {
-    int64_t n[3], m[3], line[3];
-    struct fraction a[2], b[2];
+    int64_t n[3] = {0}, m[3] = {0}, line[3] = {0};
+    struct fraction a[2] = {{0, 1}}, b[2] = {{0, 1}};
     normal_of(s, n);
     normal_of(t, m);
     cross(n, m, line);
@@ -285,7 +286,7 @@ static void crossings_are_those_of_fractions(void **state)
         if (rounds % 4 == 0) /* in one plane */
             for (int i = 0; i < 3; i++)
                 s.x[i][2] = t.x[i][2] = 0, s.p[i][2] = t.p[i][2] = 0;
-        int64_t n[3], m[3];
+        int64_t n[3] = {0}, m[3] = {0};
         normal_of(&s, n);
         normal_of(&t, m);
         if (dot(n, n) == 0 || dot(m, m) == 0)
