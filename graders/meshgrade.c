@@ -15,7 +15,7 @@
 static const struct command *const commands[] = {
     &command_list,   &command_start,     &command_check,    &command_grade,
     &command_report, &command_export,    &command_validate, &command_doctor,
-    &command_bench,  &command_calibrate, &command_new};
+    &command_bench,  &command_calibrate, &command_new,      &command_mesh};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 static void print_usage(FILE *to)

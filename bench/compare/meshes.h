@@ -1,6 +1,9 @@
-/* The meshes that comparisons run on, by name: "torus-100k-scrambled".
+/* The meshes that comparisons run on, by name: "torus-100k-scrambled",
  *
  *     KIND-SIZE-ORDER
+ *
+ * or by a file's path, which ends with .ply, .obj or .off: then the name is the file's, with a hash of what
+ * is in it, "dragon-1f3a9c07", so that results of another mesh are never taken for its own.
  *
  * Regular grids in the order of their making flatter branchy code 5 to 10 times, so there are real
  * models, and every mesh also scrambled. Flipped ones are for kernels that take any orientation. */
@@ -8,7 +11,10 @@
 #define BENCH_COMPARE_MESHES_H
 
 #include "reference/base/error.h"
+#include "reference/formats/reading.h"
 #include "reference/mesh/mesh.h"
+
+#include <limits.h>
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -23,7 +29,8 @@ enum mesh_kind {
     MESH_BUNNY,     /* real, open; subdivided flatly to the size, as are the next */
     MESH_HORSE,     /* real, closed */
     MESH_MUG,       /* real, closed, genus 1 */
-    MESH_KIND_COUNT
+    MESH_KIND_COUNT,
+    MESH_FILE = MESH_KIND_COUNT /* anyone's, as it is */
 };
 
 enum mesh_order {
@@ -39,6 +46,10 @@ struct bench_mesh {
     enum mesh_kind kind;
     enum mesh_order order;
     int64_t triangles; /* wanted; the mesh comes as near as its kind can */
+    /* Of a file. */
+    char path[PATH_MAX], label[40];
+    bool is_irregular;      /* not coherent, not manifold, or with degenerate triangles */
+    struct reading reading; /* what was left out */
 };
 
 const char *mesh_kind_name(enum mesh_kind kind);
@@ -50,8 +61,8 @@ bool mesh_kind_is_closed(enum mesh_kind kind);
 /* Writes the name: at most `capacity` bytes, 48 suffice. */
 void bench_mesh_name(const struct bench_mesh *which, char *name, int capacity);
 
-/* The mesh of that name; sizes are digits with or without k or M. Returns 0, or -1 and *err, which
- * tells what there is. */
+/* The mesh of that name; sizes are digits with or without k or M. A file is read to be looked at. Returns
+ * 0, or -1 and *err, which tells what there is. */
 int bench_mesh_find(const char *name, struct bench_mesh *which, struct error *err) MUST_CHECK;
 
 /* Makes it; the caller owns it.

@@ -134,7 +134,8 @@ static void add_peers(struct job *job, const struct plan_wish *wish)
     for (int i = 0; i < PEER_COUNT && wish->peers; i++) {
         char program[PATH_MAX];
         if (!(peers[i].what & job->what) ||
-            (job->mesh.order == MESH_FLIPPED && !peers[i].holds_flipped) ||
+            ((job->mesh.order == MESH_FLIPPED || job->mesh.is_irregular) &&
+             !peers[i].holds_flipped) ||
             (wish->subject && !strstr(peers[i].name, wish->subject)))
             continue;
         int length = snprintf(program, sizeof program, "%s/%s", wish->peers_folder, peers[i].name);
@@ -185,12 +186,12 @@ static void add_kernels(struct job *job, const struct plan_wish *wish)
 #define ALL_KERNELS                                                                                \
     " edges-closed edges-any twins area face-normals vertex-normals stripify vertex-cache "        \
     "vertex-fetch "
-static const char *operations_of(unsigned what, enum mesh_order order)
+static const char *operations_of(unsigned what, const struct bench_mesh *mesh)
 {
-    if (what == BENCH_KERNELS && order == MESH_FLIPPED)
+    if (what == BENCH_KERNELS && (mesh->order == MESH_FLIPPED || mesh->is_irregular))
         return " edges-any ";
     if (what == BENCH_KERNELS)
-        return order == MESH_CACHE ? ALL_KERNELS "strips-in-order " : ALL_KERNELS;
+        return mesh->order == MESH_CACHE ? ALL_KERNELS "strips-in-order " : ALL_KERNELS;
     if (what == BENCH_PAPER)
         return " circulator barycentre normals smoothing subdivision collapse ";
     return what == BENCH_READERS ? " read-ply-binary read-ply-ascii read-obj read-off " : NULL;
@@ -214,7 +215,7 @@ static void fill_job(struct job *job, const struct plan_wish *wish, unsigned wha
     job->blocks = blocks_for(wish);
     job->rounds = wish->quick ? 2 : 3;
     job->cold_rounds = 1;
-    job->only = operations_of(what, mesh->order);
+    job->only = operations_of(what, mesh);
     if (what == BENCH_REPRESENTATIONS)
         add_representations(job, wish);
     if (what == BENCH_PAPER)

@@ -11,25 +11,25 @@
 #include <string.h>
 #include <sys/stat.h>
 
-struct reading {
+struct timed_reading {
     char path[PATH_MAX];
     struct mesh mesh;
 };
 
 static int run_reading(void *context, struct error *err)
 {
-    struct reading *reading = context;
+    struct timed_reading *reading = context;
     return mesh_file_read(reading->path, &reading->mesh, err);
 }
 
 static void reset_reading(void *context)
 {
-    mesh_release(&((struct reading *)context)->mesh);
+    mesh_release(&((struct timed_reading *)context)->mesh);
 }
 
 static int answer_reading(void *context, struct worker_answer *answer, struct error *err)
 {
-    const struct reading *reading = context;
+    const struct timed_reading *reading = context;
     const struct mesh *mesh = &reading->mesh;
     struct stat status;
     float *corners = malloc(36 * (size_t)mesh->triangle_count + 1);
@@ -46,7 +46,7 @@ static int answer_reading(void *context, struct worker_answer *answer, struct er
 
 int subject_serve_reader(const char *snapshot_path, FILE *in, FILE *out, struct error *err)
 {
-    static struct reading readings[MESH_FILE_COUNT];
+    static struct timed_reading readings[MESH_FILE_COUNT];
     struct worker_operation operations[MESH_FILE_COUNT];
     for (int i = 0; i < MESH_FILE_COUNT; i++) {
         if (mesh_file_path(snapshot_path, mesh_files[i].extension, readings[i].path,

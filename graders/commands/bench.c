@@ -280,14 +280,28 @@ static int serve(const char *subject, const char *snapshot)
     return report_fault(&err);
 }
 
+/* What was left out of a file. */
+static void tell_reading(const struct bench_mesh *mesh)
+{
+    for (int kind = 0; mesh->kind == MESH_FILE && kind < READING_KINDS; kind++) {
+        struct message message;
+        if (mesh->reading.notes[kind].count == 0)
+            continue;
+        reading_say(&mesh->reading, (enum reading_kind)kind, &message);
+        fprintf(stderr, "meshgrade: %s: %s\n", mesh->path, message_text(&message, language_here()));
+    }
+}
+
 static bool settings_are_good(const struct settings *settings)
 {
-    struct bench_mesh mesh;
+    struct bench_mesh mesh = {.path = ""};
     struct error err = {""};
     if (settings->mesh && bench_mesh_find(settings->mesh, &mesh, &err) != 0) {
         report_fault(&err);
         return false;
     }
+    if (settings->mesh)
+        tell_reading(&mesh);
     if (settings->quick && settings->thorough) {
         fprintf(stderr, "meshgrade: bench is either --quick or --thorough\n");
         return false;
@@ -308,7 +322,8 @@ static int run_bench(int argc, char **argv)
         {"output", 'o', "DIR", "results and journal (build/bench)", &settings.output, NULL},
         {"json", 0, NULL, "print google/benchmark's JSON", NULL, &settings.json},
         {"csv", 0, NULL, "print CSV", NULL, &settings.csv},
-        {"mesh", 0, "NAME", "only this mesh, as torus-100k-scrambled", &settings.mesh, NULL},
+        {"mesh", 0, "NAME", "only this mesh: a file, or as torus-100k-scrambled", &settings.mesh,
+         NULL},
         {"subject", 0, "TEXT", "only what has TEXT in its name", &settings.subject, NULL},
         {"blocks", 0, "N", "fresh processes of each (6)", &settings.blocks, NULL},
         {"page", 0, "DIR", "only write DIR's page again, measure nothing", &settings.page, NULL},

@@ -46,6 +46,6 @@ int options_language(const char *text, enum language absent, enum language *lang
 
 extern const struct command command_list, command_start, command_check, command_grade,
     command_report, command_export, command_validate, command_doctor, command_bench,
-    command_calibrate, command_new;
+    command_calibrate, command_new, command_mesh;
 
 #endif

@@ -57,6 +57,15 @@ void page_student(struct html *page, const struct page_context *context,
 /* The section of most frequent causes of the class page. */
 void page_causes(struct html *page, const struct gradebook *book);
 
+/* A scene: its picture "<stem>.png" where there is one, the view, whose data is written beside it, and
+ * the legend. */
+void page_scene(struct html *page, const struct page_context *context, const char *stem,
+                const json_t *scene, struct phrase message);
+
+/* Makes OUT/assets, with all that pages load. *has_three: the library of the view is there, too.
+ * root: the project's folder. Returns 0, or -1 and *err. */
+int page_assets(const char *out, const char *root, bool *has_three, struct error *err) MUST_CHECK;
+
 /* A rejected case of a student page: message, picture, view, command. */
 void page_case(struct html *page, const struct page_context *context, const json_t *result,
                const json_t *one);

@@ -157,8 +157,8 @@ static void write_view(struct html *page, const struct page_context *context, co
     html_close(page, "div");
 }
 
-static void write_figure(struct html *page, const struct page_context *context, const char *stem,
-                         const json_t *scene, struct phrase message)
+void page_scene(struct html *page, const struct page_context *context, const char *stem,
+                const json_t *scene, struct phrase message)
 {
     char picture[DOCUMENT_PATH_BYTES];
     struct error ignored = {""};
@@ -241,7 +241,7 @@ void page_case(struct html *page, const struct page_context *context, const json
     html_attribute_format(page, "id", "%s.%s", result_text(result, "exercise"),
                           result_text(one, "name"));
     if (scene)
-        write_figure(page, context, stem, scene, words_in(one, "message"));
+        page_scene(page, context, stem, scene, words_in(one, "message"));
     html_open(page, "div");
     html_attribute(page, "class", "what");
     html_open(page, "h4");

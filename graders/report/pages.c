@@ -63,6 +63,16 @@ static bool copy_three(const char *out)
     return true;
 }
 
+int page_assets(const char *out, const char *root, bool *has_three, struct error *err)
+{
+    char path[DOCUMENT_PATH_BYTES];
+    if (document_path(path, err, "%s/assets", out) != 0 || document_make_folders(path, err) != 0 ||
+        copy_own_assets(out, root, err) != 0)
+        return -1;
+    *has_three = copy_three(out);
+    return 0;
+}
+
 static int write_page(struct html *page, const char *path, struct error *err)
 {
     int status = html_finish(page, err);
@@ -99,15 +109,15 @@ static int write_pages(const char *out, const char *root, const struct gradebook
                        struct error *err)
 {
     char path[DOCUMENT_PATH_BYTES];
-    if (document_path(path, err, "%s/assets", out) != 0 || document_make_folders(path, err) != 0 ||
-        document_path(path, err, "%s/students", out) != 0 ||
-        document_make_folders(path, err) != 0 || copy_own_assets(out, root, err) != 0 ||
+    bool has_three = false;
+    if (document_path(path, err, "%s/students", out) != 0 ||
+        document_make_folders(path, err) != 0 || page_assets(out, root, &has_three, err) != 0 ||
         document_path(path, err, "%s/pictures/status.json", out) != 0)
         return -1;
     struct error ignored = {""};
     json_t *pictures_status = access(path, R_OK) == 0 ? document_read_json(path, &ignored) : NULL;
     struct page_context context = {
-        .out = out, .up = "", .has_three = copy_three(out), .pictures_status = pictures_status};
+        .out = out, .up = "", .has_three = has_three, .pictures_status = pictures_status};
     int status = write_class_page(&context, book, err);
     context.up = "../";
     for (size_t s = 0; status == 0 && s < book->student_count; s++)

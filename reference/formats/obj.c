@@ -2,6 +2,7 @@
 #include "reference/formats/obj.h"
 
 #include "reference/formats/growing_mesh.h"
+#include "reference/formats/lost_vertices.h"
 #include "reference/formats/scan.h"
 #include "reference/formats/scan_plain.h"
 #include "reference/formats/text_out.h"
@@ -11,6 +12,7 @@
 struct reader {
     struct scan scan;
     struct growing_mesh mesh;
+    struct lost_vertices lost;
     int64_t highest_index; /* that a face names, from 0; -1: none. It may come before its vertex */
     int64_t highest_line;  /* where */
 };
@@ -26,7 +28,7 @@ static int read_vertex(struct reader *r)
     while (scan_token(&r->scan, &token))
         if (scan_float(&r->scan, &token, "a weight or colour", &ignored))
             return -1;
-    return growing_mesh_add_vertex(&r->mesh, position, r->scan.err);
+    return lost_vertices_add(&r->lost, &r->mesh, position, &r->scan);
 }
 
 /* The numbers between the slashes of a corner; only the first has to be there. */
@@ -95,25 +97,77 @@ static int read_face(struct reader *r)
         if (read_corner(r, &corner, &number) || add_corner(r, &polygon, number))
             return -1;
     }
-    if (polygon.corner_count < 3)
+    if (polygon.corner_count < 3 && r->scan.reading)
+        scan_note(&r->scan, READING_SHORT_FACE, 1);
+    else if (polygon.corner_count < 3)
         return scan_error(&r->scan, "a face of %lld corners: at least 3 expected",
                           (long long)polygon.corner_count);
     return 0;
 }
 
-/* The format's statements that say nothing about vertices and faces. */
-static bool is_known(const struct token *keyword)
+static bool is_one_of(const struct token *keyword, const char *const words[])
 {
-    static const char *const known[] = {
-        "vt",   "vn",     "vp",     "l",          "p",        "g",        "s",    "o",
-        "mg",   "usemtl", "mtllib", "usemap",     "maplib",   "cstype",   "deg",  "bmat",
-        "step", "curv",   "curv2",  "surf",       "parm",     "trim",     "hole", "scrv",
-        "sp",   "end",    "con",    "bevel",      "c_interp", "d_interp", "lod",  "call",
-        "csh",  "ctech",  "stech",  "shadow_obj", "trace_obj"};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (scan_token_is(keyword, known[i]))
+    for (size_t i = 0; words[i]; i++)
+        if (scan_token_is(keyword, words[i]))
             return true;
     return false;
+}
+
+/* The format's statements that say nothing about vertices and faces: of names, and of numbers. */
+static bool is_of_names(const struct token *keyword)
+{
+    static const char *const words[] = {"g",        "s",          "o",         "mg",    "usemtl",
+                                        "mtllib",   "usemap",     "maplib",    "bevel", "c_interp",
+                                        "d_interp", "lod",        "call",      "csh",   "ctech",
+                                        "stech",    "shadow_obj", "trace_obj", NULL};
+    return is_one_of(keyword, words);
+}
+
+static bool is_of_numbers(const struct token *keyword)
+{
+    static const char *const words[] = {"vt",   "vn",   "vp",   "l",     "p",    "cstype", "deg",
+                                        "bmat", "step", "curv", "curv2", "surf", "parm",   "trim",
+                                        "hole", "scrv", "sp",   "end",   "con",  NULL};
+    return is_one_of(keyword, words);
+}
+
+/* Whether what stands in the place of a statement may be one: a word. */
+static bool is_word(const struct token *keyword)
+{
+    bool ok = keyword->length > 0 && keyword->length <= 40;
+    for (size_t i = 0; ok && i < keyword->length; i++) {
+        char c = keyword->text[i];
+        bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+        ok = is_letter || (i > 0 && ((c >= '0' && c <= '9') || c == '-' || c == '.' || c == ':'));
+    }
+    return ok;
+}
+
+/* A statement that the format does not know: skipped, where there is a reading to tell it. */
+static int skip_unknown(struct reader *r, const struct token *keyword)
+{
+    if (scan_token_is_marked(keyword))
+        return scan_error(&r->scan,
+                          "a byte order mark (BOM) stands before the statement \"%s\": take "
+                          "it out (bytes EF BB BF)",
+                          scan_quote(&(struct token){keyword->text + 3, keyword->length - 3}).text);
+    if (!r->scan.reading || !is_word(keyword))
+        return scan_error(&r->scan, "\"%s\" is no statement of an OBJ file (v, f, vt, ...)",
+                          scan_quote(keyword).text);
+    struct reading_note *note = &r->scan.reading->notes[READING_STATEMENT];
+    scan_note(&r->scan, READING_STATEMENT, 1);
+    if (note->count == 1)
+        snprintf(note->text, sizeof note->text, "%s", scan_quote(keyword).text);
+    return 0;
+}
+
+/* Whether only ends of files of long ago (control Z) and zero bytes stand behind `at`. */
+static bool is_rest(const struct scan *scan, size_t at)
+{
+    while (at < scan->byte_count && (scan->bytes[at] == '\x1a' || scan->bytes[at] == '\0' ||
+                                     scan->bytes[at] == '\n' || scan->bytes[at] == '\r'))
+        at++;
+    return at == scan->byte_count;
 }
 
 /* -- plain lines ------------------------------------------------------------------------------ */
@@ -161,6 +215,16 @@ static int read_plain_lines(struct reader *r)
 
 /* -- the whole -------------------------------------------------------------------------------- */
 
+/* Goes behind the line; unknown statements may hold names, too. */
+static void end_statement(struct reader *r, const struct token *keyword)
+{
+    bool is_ours =
+        scan_token_is(keyword, "v") || scan_token_is(keyword, "f") || scan_token_is(keyword, "fo");
+    r->scan.holds_a_name = !is_ours && !is_of_numbers(keyword);
+    scan_end_line(&r->scan);
+    r->scan.holds_a_name = false;
+}
+
 static int read_statements(struct reader *r)
 {
     for (;;) {
@@ -170,27 +234,41 @@ static int read_statements(struct reader *r)
             return -1;
         if (!scan_find_token(&r->scan))
             break;
+        if (r->scan.reading && is_rest(&r->scan, r->scan.at)) {
+            scan_note(&r->scan, READING_REST, (int64_t)scan_left(&r->scan));
+            break;
+        }
         scan_token(&r->scan, &keyword);
         if (scan_token_is(&keyword, "v"))
             result = read_vertex(r);
         else if (scan_token_is(&keyword, "f") || scan_token_is(&keyword, "fo"))
             result = read_face(r);
-        else if (!is_known(&keyword))
-            result = scan_error(&r->scan, "\"%s\" is no statement of an OBJ file (v, f, vt, ...)",
-                                scan_quote(&keyword).text);
+        else if (!is_of_numbers(&keyword) && !is_of_names(&keyword))
+            result = skip_unknown(r, &keyword);
         if (result)
             return -1;
-        scan_end_line(&r->scan);
+        end_statement(r, &keyword);
     }
+    return 0;
+}
+
+/* What can be told at the end of the file only. */
+static int end_reading(struct reader *r)
+{
     if (r->highest_index >= r->mesh.vertex_count)
         return scan_error_at(&r->scan, r->highest_line,
                              "a face names vertex %lld, the file has %lld",
                              (long long)r->highest_index + 1, (long long)r->mesh.vertex_count);
-    return 0;
+    const struct reading *reading = r->scan.reading;
+    if (reading && reading->notes[READING_STATEMENT].count > 0 && r->mesh.vertex_count == 0)
+        return scan_error_at(&r->scan, reading->notes[READING_STATEMENT].place,
+                             "\"%s\" is no statement of an OBJ file (v, f, vt, ...)",
+                             reading->notes[READING_STATEMENT].text);
+    return lost_vertices_take_out(&r->lost, &r->mesh, &r->scan);
 }
 
 int obj_read(const void *bytes, size_t byte_count, const char *name, struct mesh *mesh,
-             struct error *err)
+             struct reading *reading, struct error *err)
 {
     *mesh = (struct mesh){0};
     struct reader r = {.highest_index = -1};
@@ -198,10 +276,14 @@ int obj_read(const void *bytes, size_t byte_count, const char *name, struct mesh
         return -1;
     r.scan.comment = '#';
     r.scan.is_continued = true;
+    r.scan.reading = reading;
     int result = read_statements(&r);
+    if (result == 0)
+        result = end_reading(&r);
     if (result == 0)
         growing_mesh_finish(&r.mesh, mesh);
     growing_mesh_release(&r.mesh);
+    lost_vertices_release(&r.lost);
     scan_release(&r.scan);
     return result;
 }

@@ -2,48 +2,72 @@
 #include "reference/formats/off.h"
 
 #include "reference/formats/growing_mesh.h"
+#include "reference/formats/lost_vertices.h"
 #include "reference/formats/scan.h"
 #include "reference/formats/scan_plain.h"
 #include "reference/formats/text_out.h"
 
 #include <string.h>
+#include <strings.h>
 
 struct reader {
     struct scan scan;
     struct growing_mesh mesh;
+    struct lost_vertices lost;
     bool has_attributes; /* more than a position on the line of a vertex */
     int64_t vertex_count, face_count;
 };
 
-/* Takes `prefix` off the front of the token. */
+/* Takes `prefix`, in any case, off the front of the token. */
 static bool take_prefix(struct token *token, const char *prefix)
 {
     size_t length = strlen(prefix);
-    if (token->length < length || memcmp(token->text, prefix, length) != 0)
+    if (token->length < length || strncasecmp(token->text, prefix, length) != 0)
         return false;
     token->text += length;
     token->length -= length;
     return true;
 }
 
+static bool is_number(const struct token *token)
+{
+    for (size_t i = 0; i < token->length; i++)
+        if (token->text[i] < '0' || token->text[i] > '9')
+            return false;
+    return token->length > 0;
+}
+
+/* Looks at the first word; what follows it begins at *rest, which may be the first count. */
+static int take_keyword(struct reader *r, const struct token *keyword, struct token *rest)
+{
+    *rest = *keyword;
+    bool has_texture = take_prefix(rest, "ST"), has_colour = take_prefix(rest, "C");
+    /* "nOFF" is another keyword than NOFF or noff. */
+    bool has_normal = !scan_token_is(rest, "nOFF") && take_prefix(rest, "N");
+    r->has_attributes = has_texture || has_colour || has_normal;
+    if (scan_token_is(rest, "4OFF") || scan_token_is(rest, "nOFF") || scan_token_is(rest, "4nOFF"))
+        return scan_error(&r->scan, "%s: only three dimensions are read", scan_quote(keyword).text);
+    if (take_prefix(rest, "OFF") && (rest->length == 0 || is_number(rest)))
+        return 0;
+    *rest = *keyword;
+    r->has_attributes = false;
+    if (is_number(keyword) && r->scan.reading) {
+        scan_note(&r->scan, READING_NO_KEYWORD, 1);
+        return 0;
+    }
+    return scan_error(&r->scan,
+                      "an OFF file starts with \"OFF\" (or COFF, NOFF, ...), this one with \"%s\"",
+                      scan_quote(keyword).text);
+}
+
 static int read_keyword(struct reader *r)
 {
-    struct token keyword = {0}, following;
+    struct token keyword = {"", 0}, rest, following;
     if (scan_find_token(&r->scan))
         scan_token(&r->scan, &keyword);
-    struct token rest = keyword;
-    bool has_texture = take_prefix(&rest, "ST"), has_colour = take_prefix(&rest, "C");
-    bool has_normal = take_prefix(&rest, "N");
-    r->has_attributes = has_texture || has_colour || has_normal;
-    if (scan_token_is(&rest, "4OFF") || scan_token_is(&rest, "nOFF") ||
-        scan_token_is(&rest, "4nOFF"))
-        return scan_error(&r->scan, "%s: only three dimensions are read",
-                          scan_quote(&keyword).text);
-    if (!scan_token_is(&rest, "OFF"))
-        return scan_error(&r->scan,
-                          "an OFF file starts with \"OFF\" (or COFF, NOFF, ...), this one "
-                          "with \"%s\"",
-                          scan_quote(&keyword).text);
+    if (take_keyword(r, &keyword, &rest))
+        return -1;
+    r->scan.at -= rest.length; /* of "OFF4" the 4 is a count */
     struct scan before = r->scan;
     if (scan_token(&r->scan, &following) && scan_token_is(&following, "BINARY"))
         return scan_error(&r->scan, "binary OFF files are not read: write it as text");
@@ -92,6 +116,7 @@ static int read_counts(struct reader *r)
 /* Goes to the line of the next vertex or face. */
 static int find_row(struct reader *r, const char *what, int64_t row, int64_t count)
 {
+    scan_begin_row(&r->scan);
     if (scan_find_token(&r->scan))
         return 0;
     return scan_error(&r->scan,
@@ -140,16 +165,16 @@ static int read_vertices(struct reader *r)
             continue;
         struct token extra;
         if (find_row(r, "vertex", v, r->vertex_count) ||
-            scan_next_float(&r->scan, "x", &position[0]) ||
-            scan_next_float(&r->scan, "y", &position[1]) ||
-            scan_next_float(&r->scan, "z", &position[2]) ||
-            growing_mesh_add_vertex(&r->mesh, position, r->scan.err))
+            scan_row_float(&r->scan, "x", &position[0]) ||
+            scan_row_float(&r->scan, "y", &position[1]) ||
+            scan_row_float(&r->scan, "z", &position[2]) ||
+            lost_vertices_add(&r->lost, &r->mesh, position, &r->scan))
             return -1;
         if (!r->has_attributes && scan_token(&r->scan, &extra))
-            return scan_error(&r->scan,
-                              "\"%s\" behind the z of vertex %lld: a file with colours "
-                              "starts with COFF, one with normals with NOFF",
-                              scan_quote(&extra).text, (long long)v);
+            return scan_row_error(&r->scan,
+                                  "\"%s\" behind the z of vertex %lld: a file with colours "
+                                  "starts with COFF, one with normals with NOFF",
+                                  scan_quote(&extra).text, (long long)v);
         scan_end_line(&r->scan);
     }
     return 0;
@@ -161,12 +186,14 @@ static int read_face(struct reader *r, int64_t face)
     struct polygon polygon = {0};
     if (scan_next_integer(&r->scan, "the number of corners", &corner_count))
         return -1;
-    if (corner_count < 3)
+    if (corner_count < 3 && corner_count >= 0 && r->scan.reading)
+        scan_note(&r->scan, READING_SHORT_FACE, 1);
+    else if (corner_count < 3)
         return scan_error(&r->scan, "face %lld has %lld corners: at least 3 expected",
                           (long long)face, (long long)corner_count);
     for (int64_t corner = 0; corner < corner_count; corner++) {
         int64_t vertex;
-        if (scan_next_integer(&r->scan, "the index of a vertex", &vertex))
+        if (scan_row_integer(&r->scan, "the index of a vertex", &vertex))
             return -1;
         if (vertex < 0 || vertex >= r->vertex_count)
             return scan_error(&r->scan,
@@ -194,23 +221,27 @@ static int read_everything(struct reader *r)
         if (!is_read && (find_row(r, "face", face, r->face_count) || read_face(r, face)))
             return -1;
     }
-    if (scan_find_token(&r->scan))
+    if (scan_find_token(&r->scan) && !r->scan.reading)
         return scan_error(&r->scan, "the file goes on behind its last face: its counts lie");
-    return 0;
+    if (scan_find_token(&r->scan))
+        scan_note(&r->scan, READING_REST, (int64_t)scan_left(&r->scan));
+    return lost_vertices_take_out(&r->lost, &r->mesh, &r->scan);
 }
 
 int off_read(const void *bytes, size_t byte_count, const char *name, struct mesh *mesh,
-             struct error *err)
+             struct reading *reading, struct error *err)
 {
     *mesh = (struct mesh){0};
     struct reader r = {0};
     if (scan_init(&r.scan, bytes, byte_count, name, err))
         return -1;
     r.scan.comment = '#';
+    r.scan.reading = reading;
     int result = read_everything(&r);
     if (result == 0)
         growing_mesh_finish(&r.mesh, mesh);
     growing_mesh_release(&r.mesh);
+    lost_vertices_release(&r.lost);
     scan_release(&r.scan);
     return result;
 }

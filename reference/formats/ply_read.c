@@ -2,6 +2,7 @@
 #include "reference/formats/ply.h"
 
 #include "reference/formats/growing_mesh.h"
+#include "reference/formats/lost_vertices.h"
 #include "reference/formats/ply_header.h"
 #include "reference/formats/ply_plain.h"
 
@@ -13,6 +14,7 @@ struct reader {
     struct scan scan;
     struct ply_header header;
     struct growing_mesh mesh;
+    struct lost_vertices lost;
     const char *element_name; /* of the row being read, for errors */
     int64_t row, row_count;
 };
@@ -84,9 +86,10 @@ static int read_binary(struct reader *r, enum ply_type type, double *value)
 static int read_text(struct reader *r, enum ply_type type, const char *what, double *value)
 {
     struct token token;
-    if (!scan_token(&r->scan, &token))
-        return scan_error(&r->scan, "%s is missing: %s %lld ends before it", what, r->element_name,
-                          (long long)r->row);
+    if (!scan_token(&r->scan, &token) &&
+        scan_row_goes_on(&r->scan, &token, "%s is missing: %s %lld ends before it", what,
+                         r->element_name, (long long)r->row))
+        return -1;
     if (type == PLY_FLOAT64)
         return scan_double(&r->scan, &token, what, value);
     if (type == PLY_FLOAT32) {
@@ -137,9 +140,10 @@ static int skip_property(struct reader *r, const struct ply_property *property)
         return take_bytes(r, (uint64_t)count * ply_type_bytes(property->type)) ? 0 : -1;
     struct token token;
     for (int64_t i = 0; i < count; i++)
-        if (!scan_token(&r->scan, &token))
-            return scan_error(&r->scan, "%s %lld ends before all of its values", r->element_name,
-                              (long long)r->row);
+        if (!scan_token(&r->scan, &token) &&
+            scan_row_goes_on(&r->scan, &token, "%s %lld ends before all of its values",
+                             r->element_name, (long long)r->row))
+            return -1;
     return 0;
 }
 
@@ -150,7 +154,7 @@ static int read_coordinate(struct reader *r, const struct ply_property *property
     if (read_value(r, property->type, what[property->role - PLY_X], &value))
         return -1;
     *to = (float)value;
-    if (!isfinite(*to))
+    if (!isfinite(*to) && !r->scan.reading)
         return scan_error(&r->scan, "%s of vertex %lld is %s: a finite number expected",
                           what[property->role - PLY_X], (long long)r->row,
                           isnan(value)      ? "NaN"
@@ -170,7 +174,7 @@ static int read_vertex(struct reader *r, const struct ply_element *element)
         if (result)
             return -1;
     }
-    return growing_mesh_add_vertex(&r->mesh, position, r->scan.err);
+    return lost_vertices_add(&r->lost, &r->mesh, position, &r->scan);
 }
 
 static int read_polygon(struct reader *r, const struct ply_property *property)
@@ -178,7 +182,9 @@ static int read_polygon(struct reader *r, const struct ply_property *property)
     int64_t length;
     if (read_list_length(r, property->count_type, &length))
         return -1;
-    if (length < 3)
+    if (length < 3 && r->scan.reading)
+        scan_note(&r->scan, READING_SHORT_FACE, 1);
+    else if (length < 3)
         return scan_error(&r->scan, "face %lld has %lld corners: at least 3 expected",
                           (long long)r->row, (long long)length);
     struct polygon polygon = {0};
@@ -225,6 +231,7 @@ static int read_row(struct reader *r, const struct ply_element *element)
     if (is_text && !scan_find_token(&r->scan))
         return row_error_at_end(r);
     int result;
+    scan_begin_row(&r->scan);
     if (element->kind == PLY_VERTEX)
         result = read_vertex(r, element);
     else if (element->kind == PLY_FACE)
@@ -233,8 +240,8 @@ static int read_row(struct reader *r, const struct ply_element *element)
         result = skip_row(r, element);
     struct token extra;
     if (result == 0 && is_text && scan_token(&r->scan, &extra))
-        result = scan_error(&r->scan, "\"%s\" behind the last value of %s %lld",
-                            scan_quote(&extra).text, r->element_name, (long long)r->row);
+        result = scan_row_error(&r->scan, "\"%s\" behind the last value of %s %lld",
+                                scan_quote(&extra).text, r->element_name, (long long)r->row);
     return result;
 }
 
@@ -260,15 +267,24 @@ static int read_elements(struct reader *r)
                 scan_end_line(&r->scan);
         }
     }
-    if (scan_find_token(&r->scan)) {
-        r->scan.item = r->scan.at;
-        return scan_error(&r->scan, "the file goes on behind its last element: the header lies");
-    }
     return 0;
 }
 
+/* Looks at what stands behind the last element, and takes out what no face uses. */
+static int end_reading(struct reader *r)
+{
+    if (scan_find_token(&r->scan)) {
+        r->scan.item = r->scan.at;
+        if (!r->scan.reading)
+            return scan_error(&r->scan,
+                              "the file goes on behind its last element: the header lies");
+        scan_note(&r->scan, READING_REST, (int64_t)scan_left(&r->scan));
+    }
+    return lost_vertices_take_out(&r->lost, &r->mesh, &r->scan);
+}
+
 int ply_read(const void *bytes, size_t byte_count, const char *name, struct mesh *mesh,
-             struct error *err)
+             struct reading *reading, struct error *err)
 {
     *mesh = (struct mesh){0};
     struct reader *r = calloc(1, sizeof *r);
@@ -278,12 +294,16 @@ int ply_read(const void *bytes, size_t byte_count, const char *name, struct mesh
     if (result == 0)
         result = ply_header_read(&r->scan, &r->header);
     if (result == 0) {
+        r->scan.reading = reading;
         r->scan.is_binary = r->header.encoding != PLY_ASCII;
         result = read_elements(r);
     }
     if (result == 0)
+        result = end_reading(r);
+    if (result == 0)
         growing_mesh_finish(&r->mesh, mesh);
     growing_mesh_release(&r->mesh);
+    lost_vertices_release(&r->lost);
     scan_release(&r->scan);
     free(r);
     return result;

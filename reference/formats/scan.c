@@ -8,12 +8,50 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
+
+/* Whether the bytes are text in units of two or four bytes: by their mark, or by the zero bytes
+ * beside their first character. */
+static bool is_wide_text(const unsigned char *bytes, size_t count)
+{
+    if (count < 2)
+        return false;
+    bool is_marked =
+        (bytes[0] == 0xff && bytes[1] == 0xfe) || (bytes[0] == 0xfe && bytes[1] == 0xff);
+    bool has_zero = (bytes[0] == 0) != (bytes[1] == 0);
+    unsigned char other = bytes[0] ? bytes[0] : bytes[1];
+    return is_marked || (has_zero && other < 0x7f && other >= '\t' && count % 2 == 0);
+}
+
+/* How the first line ends. */
+static enum line_end first_line_end(const char *bytes, size_t count)
+{
+    static const struct {
+        const char *bytes;
+        enum line_end line_end;
+    } ends[] = {{"\r\r\n", LINE_END_CR_CR_LF},
+                {"\r\n", LINE_END_CR_LF},
+                {"\r", LINE_END_CR},
+                {"\n\r\n", LINE_END_LF}, /* the second line is empty and ends with CR LF */
+                {"\n\r", LINE_END_LF_CR}};
+    size_t at = 0;
+    while (at < count && bytes[at] != '\n' && bytes[at] != '\r')
+        at++;
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+        size_t length = strlen(ends[i].bytes);
+        if (count - at >= length && memcmp(bytes + at, ends[i].bytes, length) == 0)
+            return ends[i].line_end;
+    }
+    return LINE_END_LF;
+}
 
 int scan_init(struct scan *scan, const void *bytes, size_t byte_count, const char *name,
               struct error *err)
 {
     *scan = (struct scan){
         .bytes = bytes, .byte_count = byte_count, .line = 1, .name = name, .err = err};
+    if (is_wide_text(bytes, byte_count))
+        return scan_error(scan, "the file is text in UTF-16 or UTF-32: save it as UTF-8 or ASCII");
     scan->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!scan->c_locale)
         return error_set(err, "%s: out of memory", name);
@@ -21,7 +59,9 @@ int scan_init(struct scan *scan, const void *bytes, size_t byte_count, const cha
         scan->at = 3;
     /* The last line end with enough bytes behind it: number.h needs both. */
     const char *last = NULL;
-    if (byte_count > NUMBER_OVERREAD)
+    scan->line_end = first_line_end(bytes, byte_count);
+    bool is_usual = scan->line_end != LINE_END_LF_CR && scan->line_end != LINE_END_CR_CR_LF;
+    if (byte_count > NUMBER_OVERREAD && is_usual)
         last = memrchr(bytes, '\n', byte_count - NUMBER_OVERREAD);
     scan->plain_end = last ? (size_t)(last - scan->bytes) : 0;
     return 0;
@@ -41,17 +81,24 @@ size_t scan_left(const struct scan *scan)
 
 /* -- lines and tokens ------------------------------------------------------------------------- */
 
-/* Length of the line end at `at`: 0 (there is none), 1 or 2. */
+/* Length of the line end at `at`: 0 (there is none), or 1 to 3. */
 static size_t line_end_length(const struct scan *scan, size_t at)
 {
-    if (at >= scan->byte_count)
+    const char *bytes = scan->bytes + at;
+    size_t count = scan->byte_count - at;
+    if (at >= scan->byte_count || (bytes[0] != '\n' && bytes[0] != '\r'))
         return 0;
-    if (scan->bytes[at] == '\n')
-        return 1;
-    if (scan->bytes[at] != '\r')
-        return 0;
-    bool pair = !scan->line_ends_by_cr && at + 1 < scan->byte_count && scan->bytes[at + 1] == '\n';
-    return pair ? 2 : 1;
+    char second = count > 1 ? bytes[1] : '\0', third = count > 2 ? bytes[2] : '\0';
+    if (bytes[0] == '\n')
+        return scan->line_end == LINE_END_LF_CR && second == '\r' ? 2 : 1;
+    if (scan->line_end == LINE_END_CR_CR_LF && second == '\r' && third == '\n')
+        return 3;
+    return scan->line_end != LINE_END_CR && second == '\n' ? 2 : 1;
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
 /* Length of a backslash and the line end after it, 0 when there is none. */
@@ -59,13 +106,10 @@ static size_t continuation_length(const struct scan *scan)
 {
     if (!scan->is_continued || scan->bytes[scan->at] != '\\')
         return 0;
+    if (scan->holds_a_name && scan->at > 0 && !is_blank(scan->bytes[scan->at - 1]))
+        return 0;
     size_t end = line_end_length(scan, scan->at + 1);
     return end > 0 ? 1 + end : 0;
-}
-
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
 /* Whether c neither ends a token or line nor starts a comment or continuation, in any format. */
@@ -118,8 +162,6 @@ void scan_end_line(struct scan *scan)
     }
     size_t end = line_end_length(scan, scan->at);
     if (end > 0) {
-        if (scan->line == 1 && end == 1 && scan->bytes[scan->at] == '\r')
-            scan->line_ends_by_cr = true;
         scan->at += end;
         scan->line++;
     }
@@ -135,6 +177,26 @@ bool scan_find_token(struct scan *scan)
             return true;
         scan_end_line(scan);
     }
+}
+
+/* -- what is left out ------------------------------------------------------------------------- */
+
+int64_t scan_place(const struct scan *scan)
+{
+    return scan->is_binary ? (int64_t)scan->item : scan->line;
+}
+
+void scan_note_at(const struct scan *scan, enum reading_kind kind, int64_t count, int64_t place)
+{
+    struct reading_note *note = &scan->reading->notes[kind];
+    if (note->count == 0)
+        *note = (struct reading_note){.place = place, .is_byte = scan->is_binary};
+    note->count += count;
+}
+
+void scan_note(const struct scan *scan, enum reading_kind kind, int64_t count)
+{
+    scan_note_at(scan, kind, count, scan_place(scan));
 }
 
 /* -- errors ----------------------------------------------------------------------------------- */
@@ -159,19 +221,16 @@ int scan_error(const struct scan *scan, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    if (scan->is_binary)
-        record(scan, " byte ", (long long)scan->item, format, arguments);
-    else
-        record(scan, "", (long long)scan->line, format, arguments);
+    record(scan, scan->is_binary ? " byte " : "", (long long)scan_place(scan), format, arguments);
     va_end(arguments);
     return -1;
 }
 
-int scan_error_at(const struct scan *scan, int64_t line, const char *format, ...)
+int scan_error_at(const struct scan *scan, int64_t place, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    record(scan, "", (long long)line, format, arguments);
+    record(scan, scan->is_binary ? " byte " : "", (long long)place, format, arguments);
     va_end(arguments);
     return -1;
 }
@@ -179,6 +238,11 @@ int scan_error_at(const struct scan *scan, int64_t line, const char *format, ...
 bool scan_token_is(const struct token *token, const char *text)
 {
     return token->length == strlen(text) && memcmp(token->text, text, token->length) == 0;
+}
+
+bool scan_token_is_marked(const struct token *token)
+{
+    return token->length >= 3 && memcmp(token->text, "\xef\xbb\xbf", 3) == 0;
 }
 
 struct quoted scan_quote(const struct token *token)
@@ -197,6 +261,28 @@ struct quoted scan_quote(const struct token *token)
 
 /* -- numbers ---------------------------------------------------------------------------------- */
 
+static int mark_error(const struct scan *scan, const char *what)
+{
+    return scan_error(
+        scan, "a byte order mark (BOM) stands before %s: take it out (bytes EF BB BF)", what);
+}
+
+/* Whether the token is one of the words that programs write for a number that is not finite. */
+static bool is_not_finite(const struct token *token)
+{
+    static const char *const words[] = {"nan",     "inf",    "infinity", "1.#qnan",
+                                        "1.#snan", "1.#ind", "1.#inf"};
+    size_t sign = token->length > 0 && (token->text[0] == '-' || token->text[0] == '+') ? 1 : 0;
+    const char *text = token->text + sign;
+    size_t length = token->length - sign;
+    if (length > 3 && text[length - 1] == ')' && strncasecmp(text, "nan(", 4) == 0)
+        return true;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (length == strlen(words[i]) && strncasecmp(text, words[i], length) == 0)
+            return true;
+    return false;
+}
+
 int scan_integer(const struct scan *scan, const struct token *token, const char *what,
                  int64_t *value)
 {
@@ -210,6 +296,8 @@ int scan_integer(const struct scan *scan, const struct token *token, const char 
         if (ok)
             magnitude = 10 * magnitude + digit;
     }
+    if (!ok && scan_token_is_marked(token))
+        return mark_error(scan, what);
     if (!ok)
         return scan_error(scan, "%s must be a whole number, \"%s\" is none", what,
                           scan_quote(token).text);
@@ -225,6 +313,8 @@ static int decimal_text(const struct scan *scan, const struct token *token, cons
     bool ok = token->length > 0 && token->length < size;
     for (size_t i = 0; ok && i < token->length; i++)
         ok = token->text[i] != '\0' && strchr("0123456789+-.eE", token->text[i]);
+    if (!ok && scan_token_is_marked(token))
+        return mark_error(scan, what);
     if (!ok)
         return scan_error(scan, "%s must be a finite decimal number, \"%s\" is none", what,
                           scan_quote(token).text);
@@ -265,6 +355,10 @@ int scan_float(const struct scan *scan, const struct token *token, const char *w
 {
     if (fast_float(token, value))
         return 0;
+    if (scan->reading && is_not_finite(token)) {
+        *value = NAN;
+        return 0;
+    }
     char text[NUMBER_SIZE], *end;
     if (decimal_text(scan, token, what, text, sizeof text))
         return -1;
@@ -282,6 +376,10 @@ int scan_double(const struct scan *scan, const struct token *token, const char *
 {
     if (fast_double(token, value))
         return 0;
+    if (scan->reading && is_not_finite(token)) {
+        *value = (double)NAN;
+        return 0;
+    }
     char text[NUMBER_SIZE], *end;
     if (decimal_text(scan, token, what, text, sizeof text))
         return -1;
@@ -312,4 +410,56 @@ int scan_next_float(struct scan *scan, const char *what, float *value)
 {
     struct token token;
     return next_token(scan, what, &token) ? -1 : scan_float(scan, &token, what, value);
+}
+
+/* -- rows ------------------------------------------------------------------------------------- */
+
+void scan_begin_row(struct scan *scan)
+{
+    scan->is_broken = false;
+}
+
+int scan_row_goes_on(struct scan *scan, struct token *token, const char *format, ...)
+{
+    if (!scan->is_broken) {
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(scan->broken, sizeof scan->broken, format, arguments);
+        va_end(arguments);
+        scan->is_broken = true;
+        scan->broken_line = scan->line;
+    }
+    if (scan_find_token(scan) && scan_token(scan, token))
+        return 0;
+    return scan_error_at(scan, scan->broken_line, "%s", scan->broken);
+}
+
+int scan_row_error(struct scan *scan, const char *format, ...)
+{
+    if (scan->is_broken)
+        return scan_error_at(scan, scan->broken_line, "%s", scan->broken);
+    va_list arguments;
+    va_start(arguments, format);
+    record(scan, "", (long long)scan->line, format, arguments);
+    va_end(arguments);
+    return -1;
+}
+
+static int row_token(struct scan *scan, const char *what, struct token *token)
+{
+    if (scan_token(scan, token))
+        return 0;
+    return scan_row_goes_on(scan, token, "%s is missing: the line ends before it", what);
+}
+
+int scan_row_integer(struct scan *scan, const char *what, int64_t *value)
+{
+    struct token token;
+    return row_token(scan, what, &token) ? -1 : scan_integer(scan, &token, what, value);
+}
+
+int scan_row_float(struct scan *scan, const char *what, float *value)
+{
+    struct token token;
+    return row_token(scan, what, &token) ? -1 : scan_float(scan, &token, what, value);
 }

@@ -16,7 +16,7 @@ static inline const char *pass_line_end(const struct scan *scan, const char *at)
 {
     if (*at == '\n')
         return at + 1;
-    return *at == '\r' && at[1] == '\n' && !scan->line_ends_by_cr ? at + 2 : NULL;
+    return *at == '\r' && at[1] == '\n' && scan->line_end != LINE_END_CR ? at + 2 : NULL;
 }
 
 static inline const char *row_start(const struct scan *scan, size_t skipped)

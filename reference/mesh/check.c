@@ -140,8 +140,8 @@ static int32_t corner_at(const struct mesh *mesh, int32_t side, int32_t v)
 
 /* fan_count[v] starts as the number of triangles at v; each edge that joins two groups of them
  * takes one away. */
-static void count_fans(const struct mesh *mesh, const struct edge_list *list,
-                       struct groups *corners, int32_t *fan_count)
+static void join_fans(const struct mesh *mesh, const struct edge_list *list, struct groups *corners,
+                      int32_t *fan_count)
 {
     for (int64_t t = 0; t < mesh->triangle_count; t++)
         if (!triangle_is_degenerate(mesh->triangles + 3 * t))
@@ -159,28 +159,39 @@ static void count_fans(const struct mesh *mesh, const struct edge_list *list,
     }
 }
 
+int mesh_count_fans(const struct mesh *mesh, const struct edge_list *list, int32_t *fan_counts,
+                    struct error *err)
+{
+    struct groups corners;
+    if (groups_init(&corners, 3 * (int64_t)mesh->triangle_count, err))
+        return -1;
+    for (int64_t v = 0; v < mesh->vertex_count; v++)
+        fan_counts[v] = 0;
+    join_fans(mesh, list, &corners, fan_counts);
+    groups_release(&corners);
+    for (int64_t e = 0; e < list->edge_count; e++) {
+        const struct edge *edge = &list->edges[e];
+        for (int end = 0; end < 2 && edge_use_count(edge) > 2; end++) {
+            int32_t v = end == 0 ? edge->low : edge->high;
+            fan_counts[v] = fan_counts[v] > 2 ? fan_counts[v] : 2;
+        }
+    }
+    return 0;
+}
+
 int mesh_nonmanifold_vertices(const struct mesh *mesh, const struct edge_list *list,
                               struct finding *found, struct error *err)
 {
     *found = nothing_found;
-    struct groups corners;
-    if (groups_init(&corners, 3 * (int64_t)mesh->triangle_count, err))
-        return -1;
-    int32_t *fan_count = calloc((size_t)mesh->vertex_count + 1, sizeof *fan_count);
-    if (fan_count) {
-        count_fans(mesh, list, &corners, fan_count);
-        for (int64_t e = 0; e < list->edge_count; e++)
-            if (edge_use_count(&list->edges[e]) > 2)
-                fan_count[list->edges[e].low] = fan_count[list->edges[e].high] = 2;
-        for (int64_t v = 0; v < mesh->vertex_count; v++)
-            if (fan_count[v] > 1)
-                note(found, v);
-    }
-    groups_release(&corners);
-    if (!fan_count)
-        return error_set(err, "out of memory: counting fans of %d vertices", mesh->vertex_count);
-    free(fan_count);
-    return 0;
+    int32_t *fan_counts = malloc(((size_t)mesh->vertex_count + 1) * sizeof *fan_counts);
+    int result = fan_counts ? mesh_count_fans(mesh, list, fan_counts, err)
+                            : error_set(err, "out of memory: counting fans of %d vertices",
+                                        mesh->vertex_count);
+    for (int64_t v = 0; result == 0 && v < mesh->vertex_count; v++)
+        if (fan_counts[v] > 1)
+            note(found, v);
+    free(fan_counts);
+    return result;
 }
 
 /* -- the whole -------------------------------------------------------------------------------- */
@@ -246,29 +257,34 @@ static int check_orientable(const struct mesh *mesh, const struct edge_list *lis
     return 0;
 }
 
+int mesh_topology_of_edges(const struct mesh *mesh, const struct edge_list *list,
+                           struct topology *topology, struct error *err)
+{
+    struct topology out = {.vertex_count = mesh->vertex_count,
+                           .edge_count = list->edge_count,
+                           .triangle_count = mesh->triangle_count,
+                           .boundary = mesh_boundary_edges(list),
+                           .nonmanifold_edge = mesh_nonmanifold_edges(list),
+                           .incoherent = mesh_incoherent_edges(list),
+                           .degenerate = mesh_degenerate_triangles(mesh)};
+    if (mesh_duplicate_triangles(mesh, &out.duplicate, err) ||
+        mesh_isolated_vertices(mesh, &out.isolated, err) ||
+        mesh_nonmanifold_vertices(mesh, list, &out.nonmanifold_vertex, err) ||
+        count_components(mesh, &out, err) || count_boundary_loops(mesh, list, &out, err) ||
+        check_orientable(mesh, list, &out, err))
+        return -1;
+    out.euler_characteristic = out.vertex_count - out.isolated.count - out.edge_count +
+                               out.triangle_count - out.degenerate.count;
+    *topology = out;
+    return 0;
+}
+
 int mesh_topology(const struct mesh *mesh, struct topology *topology, struct error *err)
 {
     struct edge_list list;
     if (edge_list_init(&list, mesh, err))
         return -1;
-    struct topology out = {.vertex_count = mesh->vertex_count,
-                           .edge_count = list.edge_count,
-                           .triangle_count = mesh->triangle_count,
-                           .boundary = mesh_boundary_edges(&list),
-                           .nonmanifold_edge = mesh_nonmanifold_edges(&list),
-                           .incoherent = mesh_incoherent_edges(&list),
-                           .degenerate = mesh_degenerate_triangles(mesh)};
-    int result = -1;
-    if (!mesh_duplicate_triangles(mesh, &out.duplicate, err) &&
-        !mesh_isolated_vertices(mesh, &out.isolated, err) &&
-        !mesh_nonmanifold_vertices(mesh, &list, &out.nonmanifold_vertex, err) &&
-        !count_components(mesh, &out, err) && !count_boundary_loops(mesh, &list, &out, err) &&
-        !check_orientable(mesh, &list, &out, err)) {
-        out.euler_characteristic = out.vertex_count - out.isolated.count - out.edge_count +
-                                   out.triangle_count - out.degenerate.count;
-        *topology = out;
-        result = 0;
-    }
+    int result = mesh_topology_of_edges(mesh, &list, topology, err);
     edge_list_release(&list);
     return result;
 }

@@ -52,6 +52,12 @@ int mesh_isolated_vertices(const struct mesh *mesh, struct finding *found,
 int mesh_nonmanifold_vertices(const struct mesh *mesh, const struct edge_list *list,
                               struct finding *found, struct error *err) MUST_CHECK;
 
+/* The number of such fans and umbrellas of every vertex, of which one is manifold; at least 2 where an
+ * edge has more than two triangles. fan_counts has vertex_count entries. Returns 0, or -1 and *err
+ * (out of memory). */
+int mesh_count_fans(const struct mesh *mesh, const struct edge_list *list, int32_t *fan_counts,
+                    struct error *err) MUST_CHECK;
+
 /* -- the whole ------------------------------------------------------------------------------ */
 
 struct topology {
@@ -69,5 +75,9 @@ struct topology {
  * with two triangles coherent; edges with more are not looked at. Returns 0, or -1 and *err (out of
  * memory). Cost: linear but for an inverse Ackermann factor. */
 int mesh_topology(const struct mesh *mesh, struct topology *topology, struct error *err) MUST_CHECK;
+
+/* The same for one who has the edges of the mesh already. */
+int mesh_topology_of_edges(const struct mesh *mesh, const struct edge_list *list,
+                           struct topology *topology, struct error *err) MUST_CHECK;
 
 #endif

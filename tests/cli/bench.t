@@ -10,6 +10,9 @@ ok "and the ones that exist are named" matches "$scratch/talk" 'representations,
 "$meshgrade" bench --mesh cube 2>"$scratch/talk"
 ok "an unknown mesh is refused" [ $? -eq 64 ]
 ok "and how to name one is said" matches "$scratch/talk" 'KIND-SIZE-ORDER'
+"$meshgrade" bench representations --subject half --mesh "$root/exercises/models/mug.ply" --blocks 1 -o "$scratch/file" >"$scratch/table" 2>&1
+ok "a file is a mesh, too" [ $? -eq 0 ]
+ok "and the table names it" matches "$scratch/table" 'Representations on mug-[0-9a-f]{8}: 6,000 triangles, 3,000 vertices, closed'
 "$meshgrade" bench --blocks x 2>"$scratch/talk"
 ok "a number of blocks that is none is refused" [ $? -eq 64 ]
 

@@ -18,13 +18,19 @@ static bool same_table(const void *a, const void *b, int32_t count)
     return count == 0 || memcmp(a, b, 12 * (size_t)count) == 0;
 }
 
-void check_reader(int (*read)(const void *, size_t, const char *, struct mesh *, struct error *),
-                  int (*write)(FILE *, const struct mesh *, struct error *), const uint8_t *bytes,
-                  size_t byte_count)
+/* The functions of a format. */
+struct format {
+    int (*read)(const void *, size_t, const char *, struct mesh *, struct reading *,
+                struct error *);
+    int (*write)(FILE *, const struct mesh *, struct error *);
+};
+
+static void check_reading(const struct format *format, const uint8_t *bytes, size_t byte_count,
+                          struct reading *reading)
 {
     struct mesh mesh, back;
     struct error err = {0};
-    if (read(bytes, byte_count, "input", &mesh, &err)) {
+    if (format->read(bytes, byte_count, "input", &mesh, reading, &err)) {
         require(strncmp(err.text, "input:", 6) == 0, "an error names the file");
         require(!mesh.positions && !mesh.triangles, "a failure leaves the empty mesh");
         return;
@@ -36,8 +42,10 @@ void check_reader(int (*read)(const void *, size_t, const char *, struct mesh *,
     char *text = NULL;
     size_t text_count;
     FILE *out = open_memstream(&text, &text_count);
-    require(out && write(out, &mesh, &err) == 0 && fclose(out) == 0, "the mesh can be written");
-    require(read(text, text_count, "written", &back, &err) == 0, "what was written can be read");
+    require(out && format->write(out, &mesh, &err) == 0 && fclose(out) == 0,
+            "the mesh can be written");
+    require(format->read(text, text_count, "written", &back, NULL, &err) == 0,
+            "what was written can be read");
     require(back.vertex_count == mesh.vertex_count && back.triangle_count == mesh.triangle_count &&
                 same_table(back.positions, mesh.positions, mesh.vertex_count) &&
                 same_table(back.triangles, mesh.triangles, mesh.triangle_count),
@@ -45,4 +53,19 @@ void check_reader(int (*read)(const void *, size_t, const char *, struct mesh *,
     mesh_release(&back);
     mesh_release(&mesh);
     free(text);
+}
+
+void check_reader(int (*read)(const void *, size_t, const char *, struct mesh *, struct reading *,
+                              struct error *),
+                  int (*write)(FILE *, const struct mesh *, struct error *), const uint8_t *bytes,
+                  size_t byte_count)
+{
+    const struct format format = {read, write};
+    struct reading reading = {0};
+    check_reading(&format, bytes, byte_count, NULL);
+    check_reading(&format, bytes, byte_count, &reading);
+    for (int kind = 0; kind < READING_KINDS; kind++)
+        require(reading.notes[kind].count >= 0 &&
+                    (uint64_t)reading.notes[kind].count <= byte_count + 1,
+                "what is left out stood in the file");
 }

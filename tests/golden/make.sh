@@ -12,3 +12,5 @@ ${CXX:-c++} -std=c++17 -O1 -Wall -Wextra tests/golden/compare.cpp \
 build/meshgrade-render "$out/job.json"
 tests/golden/figures.sh "$out"
 build/meshgrade-render "$out/figures.json"
+# What `meshgrade mesh` draws; 1: the mesh has faults.
+build/meshgrade mesh --picture "$out/mesh-faults.png" tests/golden/meshes/faults.off >/dev/null || [ $? -eq 1 ]

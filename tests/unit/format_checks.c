@@ -28,7 +28,7 @@ struct mesh read_text(const struct format_under_test *format, const char *text)
     struct mesh mesh;
     struct error err = {0};
     void *bytes = exact_copy(text, strlen(text));
-    if (format->read(bytes, strlen(text), "file", &mesh, &err))
+    if (format->read(bytes, strlen(text), "file", &mesh, NULL, &err))
         fail_msg("refused: %s", err.text);
     assert_int_equal(mesh_check(&mesh, &err), 0);
     free(bytes);
@@ -41,7 +41,7 @@ void assert_bytes_refused(const struct format_under_test *format, const void *by
     struct mesh mesh;
     struct error err = {0};
     void *copy = exact_copy(bytes, byte_count);
-    assert_int_equal(format->read(copy, byte_count, "file", &mesh, &err), -1);
+    assert_int_equal(format->read(copy, byte_count, "file", &mesh, NULL, &err), -1);
     assert_string_equal(err.text, error);
     assert_null(mesh.positions);
     assert_null(mesh.triangles);
@@ -92,7 +92,7 @@ void assert_round_trips(const struct format_under_test *format)
         size_t byte_count;
         char *bytes = written(format, &mesh, &byte_count);
         struct error err = {0};
-        if (format->read(bytes, byte_count, "file", &back, &err))
+        if (format->read(bytes, byte_count, "file", &back, NULL, &err))
             fail_msg("seed %d: %s", (int)seed, err.text);
         assert_true(same_mesh(&mesh, &back));
         free(bytes);
@@ -101,17 +101,44 @@ void assert_round_trips(const struct format_under_test *format)
     }
 }
 
+struct mesh read_told(const struct format_under_test *format, const void *bytes, size_t byte_count,
+                      const char *note)
+{
+    struct mesh mesh;
+    struct error err = {0};
+    struct reading reading = {0};
+    struct message message = {"", ""};
+    void *copy = exact_copy(bytes, byte_count);
+    if (note)
+        assert_int_equal(format->read(copy, byte_count, "file", &mesh, NULL, NULL), -1);
+    if (format->read(copy, byte_count, "file", &mesh, &reading, &err))
+        fail_msg("refused: %s", err.text);
+    assert_int_equal(mesh_check(&mesh, &err), 0);
+    for (int kind = 0; kind < READING_KINDS; kind++)
+        if (reading.notes[kind].count > 0) {
+            assert_string_equal(message.en, ""); /* one at a time */
+            reading_say(&reading, (enum reading_kind)kind, &message);
+        }
+    assert_string_equal(message.en, note ? note : "");
+    free(copy);
+    return mesh;
+}
+
 static void assert_refused_or_valid(const struct format_under_test *format, const void *bytes,
                                     size_t byte_count)
 {
     struct mesh mesh;
     struct error err = {0};
     void *copy = exact_copy(bytes, byte_count);
-    if (format->read(copy, byte_count, "file", &mesh, &err) == 0)
-        assert_int_equal(mesh_check(&mesh, NULL), 0);
-    else
-        assert_true(strncmp(err.text, "file:", 5) == 0);
-    mesh_release(&mesh);
+    struct reading reading = {0}, *readings[] = {NULL, &reading};
+    for (int i = 0; i < 2; i++) {
+        err = (struct error){0};
+        if (format->read(copy, byte_count, "file", &mesh, readings[i], &err) == 0)
+            assert_int_equal(mesh_check(&mesh, NULL), 0);
+        else
+            assert_true(strncmp(err.text, "file:", 5) == 0);
+        mesh_release(&mesh);
+    }
     free(copy);
 }
 
@@ -156,8 +183,8 @@ void assert_plain_rows_are_as_others(const struct format_under_test *format, con
             others[i] = others[i] == ' ' ? '\v' : others[i];
         struct mesh mesh, expected;
         struct error err = {0}, expected_err = {0};
-        int result = format->read(plain, byte_count, "file", &mesh, &err);
-        assert_int_equal(format->read(others, byte_count, "file", &expected, &expected_err),
+        int result = format->read(plain, byte_count, "file", &mesh, NULL, &err);
+        assert_int_equal(format->read(others, byte_count, "file", &expected, NULL, &expected_err),
                          result);
         assert_string_equal(err.text, expected_err.text);
         assert_true(same_mesh(&mesh, &expected));

@@ -2,6 +2,7 @@
 #ifndef TESTS_UNIT_FORMAT_CHECKS_H
 #define TESTS_UNIT_FORMAT_CHECKS_H
 
+#include "reference/formats/reading.h"
 #include "reference/mesh/mesh.h"
 
 #include <stddef.h>
@@ -10,12 +11,18 @@
 /* The functions of one format. */
 struct format_under_test {
     int (*read)(const void *bytes, size_t byte_count, const char *name, struct mesh *mesh,
-                struct error *err);
+                struct reading *reading, struct error *err);
     int (*write)(FILE *out, const struct mesh *mesh, struct error *err);
 };
 
-/* Reads a text that must be good; the caller owns the mesh. */
+/* Reads a text that must be good and have nothing to be left out; the caller owns the mesh. */
 struct mesh read_text(const struct format_under_test *format, const char *text);
+
+/* Reads bytes that must be good where something may be left out, and refused where not. Exactly
+ * `note` must be said, or nothing when it is NULL; then they need not be refused. The caller owns
+ * the mesh. */
+struct mesh read_told(const struct format_under_test *format, const void *bytes, size_t byte_count,
+                      const char *note);
 
 /* The bytes must be refused with exactly this error (the file is called "file"), leaving the empty
  * mesh. */

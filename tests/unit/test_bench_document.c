@@ -57,7 +57,7 @@ static int make(void **state)
 {
     (void)state;
     job = (struct job){.what = BENCH_KERNELS, .name = "kernels torus-1k-generated", .blocks = 6};
-    job.mesh = (struct bench_mesh){MESH_TORUS, MESH_GENERATED, 1000};
+    job.mesh = (struct bench_mesh){.kind = MESH_TORUS, .triangles = 1000};
     add_contender(CONTENDER_KERNEL, "plain");
     add_contender(CONTENDER_KERNEL, "avx2");
     add_contender(CONTENDER_PEER, "openmesh");

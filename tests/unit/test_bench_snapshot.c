@@ -2,6 +2,7 @@
 #include "bench/compare/meshes.h"
 #include "bench/compare/snapshot.h"
 #include "reference/base/random.h"
+#include "reference/formats/mesh_file.h"
 #include "reference/mesh/generate.h"
 
 #include <setjmp.h>
@@ -149,13 +150,60 @@ static void names_say_what_is_made(void **state)
         assert_int_equal(bench_mesh_find(bad[i], &which, NULL), -1);
 }
 
+/* A file is a mesh, too: named by what is in it. */
+static void files_are_meshes(void **state)
+{
+    struct bench_mesh which, again;
+    struct mesh mesh;
+    struct error err = {""};
+    char name[48];
+    (void)state;
+    if (bench_mesh_find("exercises/models/bunny.ply", &which, &err) != 0)
+        fail_msg("%s", err.text);
+    bench_mesh_name(&which, name, sizeof name);
+    assert_int_equal(strncmp(name, "bunny-", 6), 0);
+    assert_int_equal(strlen(name), strlen("bunny-01234567"));
+    assert_int_equal(which.triangles, 3712);
+    assert_false(which.is_irregular);
+    assert_int_equal(bench_mesh_make(&which, "", &mesh, &err), 0);
+    assert_int_equal(mesh.triangle_count, 3712);
+    mesh_release(&mesh);
+    assert_int_equal(bench_mesh_find("exercises/models/spider.ply", &again, NULL), 0);
+    assert_true(again.is_irregular);
+    /* The same name and another mesh in it are two meshes. */
+    assert_int_equal(generate_cube(&mesh, NULL), 0);
+    char file[sizeof path + 8];
+    snprintf(file, sizeof file, "%s.off", path);
+    char before[48];
+    for (int round = 0; round < 2; round++) {
+        assert_int_equal(mesh_file_write(file, &mesh, NULL), 0);
+        assert_int_equal(bench_mesh_find(file, &again, NULL), 0);
+        bench_mesh_name(&again, name, sizeof name);
+        if (round == 1)
+            assert_string_not_equal(name, before);
+        memcpy(before, name, sizeof before);
+        mesh.positions[0] = 0.25F;
+    }
+    mesh_release(&mesh);
+    assert_int_equal(bench_mesh_make(&again, "", &mesh, NULL), 0);
+    mesh_release(&mesh);
+    FILE *empty = fopen(file, "w");
+    assert_non_null(empty);
+    fputs("OFF 0 0 0\n", empty);
+    assert_int_equal(fclose(empty), 0);
+    assert_int_equal(bench_mesh_find(file, &again, &err), -1);
+    assert_non_null(strstr(err.text, "no triangle"));
+    assert_int_equal(unlink(file), 0);
+    assert_int_equal(bench_mesh_find("absent.ply", &again, NULL), -1);
+}
+
 /* Every kind in every order comes near to its size, and is closed or open as it says. */
 static void kinds_come_near_their_size(void **state)
 {
     (void)state;
     for (int kind = 0; kind < MESH_KIND_COUNT; kind++)
         for (int order = 0; order < MESH_ORDER_COUNT; order++) {
-            struct bench_mesh which = {kind, order, 20000};
+            struct bench_mesh which = {.kind = kind, .order = order, .triangles = 20000};
             struct snapshot snapshot;
             struct mesh mesh;
             struct error err = {""};
@@ -175,7 +223,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(comes_back_with_its_counts), cmocka_unit_test(empty_mesh_comes_back),
         cmocka_unit_test(every_damage_is_refused),    cmocka_unit_test(what_is_no_file_is_refused),
-        cmocka_unit_test(names_say_what_is_made),     cmocka_unit_test(kinds_come_near_their_size),
+        cmocka_unit_test(names_say_what_is_made),     cmocka_unit_test(files_are_meshes),
+        cmocka_unit_test(kinds_come_near_their_size),
     };
     return cmocka_run_group_tests(tests, make_path, remove_path);
 }

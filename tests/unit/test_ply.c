@@ -177,7 +177,7 @@ static void binary_types_are_read_in_both_orders(void **state)
             append_integer(file, at, 0x7fc00000, 4, is_big); /* NaN in a property that is skipped */
         struct mesh mesh;
         struct error err = {0};
-        assert_int_equal(ply_read(file, at, "file", &mesh, &err), 0);
+        assert_int_equal(ply_read(file, at, "file", &mesh, NULL, &err), 0);
         const float last[3] = {-3.0F, 65282.0F, 1.5F};
         assert_memory_equal(mesh.positions + 6, last, sizeof last);
         const int32_t triangle[3] = {2, 1, 0};
@@ -196,7 +196,7 @@ static void binary_data_may_start_with_any_byte(void **state)
                         "\n\r ";
     struct mesh mesh;
     struct error err = {0};
-    assert_int_equal(ply_read(file, sizeof file - 1, "file", &mesh, &err), 0);
+    assert_int_equal(ply_read(file, sizeof file - 1, "file", &mesh, NULL, &err), 0);
     const float expected[3] = {10.0F, 13.0F, 32.0F};
     assert_memory_equal(mesh.positions, expected, sizeof expected);
     mesh_release(&mesh);
