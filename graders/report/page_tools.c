@@ -84,6 +84,9 @@ void page_tools(struct html *page, const struct gradebook *book)
                         "Estos resultados no son de una sola medida: cerca de un límite, la misma "
                         "respuesta podría tener otra nota con otras herramientas."});
     html_open(page, "ul");
-    json_object_foreach(sets, tools, names) write_set(page, tools, names, tools == usual);
+    json_object_foreach(sets, tools, names)
+    {
+        write_set(page, tools, names, tools == usual);
+    }
     html_close(page, "ul");
 }
