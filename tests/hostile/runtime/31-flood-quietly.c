@@ -1,6 +1,7 @@
 /* Tries: the same, ignoring the signal that would end it
- * Stopped by: the largest file of the box: write fails, the answer is right
- * expect: passed */
+ * Stopped by: the largest file of the box: write fails, and the answer is right; under the sanitizer no signal
+ *     but a program's own faults can be ignored, so the program ends there
+ * expect: flagged, behaves-differently */
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"
