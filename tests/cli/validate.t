@@ -33,8 +33,8 @@ ok "and says which, in one line" [ "$(cat "$scratch/none")" = "meshgrade: --only
 "$meshgrade" validate euler-closed-mesh --compiler ../gcc >"$scratch/compiler" 2>&1
 ok "--compiler takes a gcc of this machine only" [ $? -eq 64 ]
 ok "and says which it does not find" matches "$scratch/compiler" '^meshgrade: --compiler: ../gcc: no such compiler; '
-"$meshgrade" validate euler-closed-mesh --only "$one" --compiler "gcc-$(gcc -dumpversion)" >"$scratch/compiler" 2>&1
-ok "with another name of gcc it is graded anew, and as expected" [ "$(cat "$scratch/compiler")" = '1 submission as expected, 0 not' ]
+"$meshgrade" validate euler-closed-mesh --only "$one" --again --compiler "gcc-$(gcc -dumpversion)" >"$scratch/compiler" 2>&1
+ok "a gcc can be named" [ "$(cat "$scratch/compiler")" = '1 submission as expected, 0 not' ]
 ok "--only needs the exercise" exits_with 64 "$meshgrade" validate --only "$one" 2>/dev/null
 
 # A set of submissions that cannot tell judges apart is not as expected. The tree is this one, but for the submissions;
