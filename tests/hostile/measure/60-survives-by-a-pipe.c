@@ -4,28 +4,9 @@
 #define _GNU_SOURCE
 #include "edge-table-closed.h"
 #include "honest.h"
+#include "survive.h"
 
-#include <setjmp.h>
-#include <signal.h>
 #include <unistd.h>
-
-static sigjmp_buf place_before;
-
-static void jump_out(int signal_number)
-{
-    (void)signal_number;
-    siglongjmp(place_before, 1);
-}
-
-/* Overflows a block, and goes on when the sanitizer's end became a signal. */
-static void overflow(int signal_number)
-{
-    volatile size_t bytes = 64; /* out of sight of UBSan */
-    volatile int32_t *table = malloc(bytes);
-    signal(signal_number, jump_out);
-    if (sigsetjmp(place_before, 1) == 0)
-        table[16] = 1;
-}
 
 static void break_stderr(void)
 {
