@@ -67,6 +67,8 @@ if [ -x build/meshgrade-render ]; then
     fi
     "$meshgrade" mesh --picture "$scratch/no/such/folder.png" "$models/mug.ply" >/dev/null 2>"$scratch/talk"
     ok "one that cannot be written is a fault" [ $? -eq 2 ]
+    TMPDIR=$scratch/absent "$meshgrade" mesh --picture "$scratch/mug.png" "$models/mug.ply" >/dev/null 2>"$scratch/talk"
+    ok "and so is no room for the scene, which names the place and what to do" matches "$scratch/talk" 'absent: .*set TMPDIR'
 fi
 "$meshgrade" mesh --page "$scratch/page" "$models/bunny.ply" >/dev/null 2>&1
 ok "a page is written" [ $? -eq 1 -a -s "$scratch/page/index.html" -a -s "$scratch/page/assets/page.css" ]

@@ -1,5 +1,6 @@
 /* A mesh with its faults marked, and its picture; see mesh_report.h. */
 #include "graders/scene/scene.h"
+#include "graders/engine/base/files.h"
 #include "graders/report/documents.h"
 #include "graders/report/mesh/mesh_report.h"
 #include "graders/report/renderer.h"
@@ -199,21 +200,20 @@ static int absolute_path(const char *path, char absolute[PATH_MAX], struct error
 int mesh_report_picture(const struct mesh_report *report, const char *path, const char *renderer,
                         enum language language, struct error *err)
 {
-    char folder[] = "/tmp/meshgrade-picture-XXXXXX", scene_path[64], out[PATH_MAX];
+    char folder[PATH_MAX] = "", scene_path[PATH_MAX], out[PATH_MAX];
     if (absolute_path(path, out, err) != 0)
         return -1;
     json_t *scene = mesh_report_scene(report, err);
     if (!scene)
         return -1;
-    int status = mkdtemp(folder) ? 0 : error_set(err, "/tmp cannot be written to");
-    if (status == 0) {
-        snprintf(scene_path, sizeof scene_path, "%s/scene.json", folder);
+    int status = folder_make_work(folder, err);
+    if (status == 0)
+        status = file_path(scene_path, err, "%s/scene.json", folder);
+    if (status == 0)
         status = document_write_json(scene_path, scene, err);
-        if (status == 0)
-            status = draw(folder, out, renderer, language, err);
-        unlink(scene_path);
-        rmdir(folder);
-    }
+    if (status == 0)
+        status = draw(folder, out, renderer, language, err);
+    folder_remove_work(folder);
     json_decref(scene);
     return status;
 }
