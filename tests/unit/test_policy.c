@@ -1,6 +1,7 @@
 /* The policy on preprocessed text: what gcc -E makes of honest and of tricky sources. */
 #include "graders/engine/build/directives.h"
 #include "graders/engine/build/policy.h"
+#include "tests/unit/preprocessed.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,39 +13,11 @@
 
 #include <cmocka.h>
 
-enum { TEXT_BYTES = 8 << 20 };
-
-static char *text; /* TEXT_BYTES, for all tests */
-static char folder[] = "/tmp/test_policy.XXXXXX";
-
-static void write_file(const char *name, const char *content)
-{
-    char path[128];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    assert_true(fputs(content, file) >= 0);
-    assert_int_equal(fclose(file), 0);
-}
-
-/* Preprocesses main.c in the folder. */
-static size_t preprocess(const char *source, const char *flags)
-{
-    char command[512];
-    write_file("main.c", source);
-    snprintf(command, sizeof command, "cd %s && gcc -O2 -w %s -E main.c", folder, flags);
-    FILE *compiler = popen(command, "r");
-    assert_non_null(compiler);
-    size_t bytes = fread(text, 1, TEXT_BYTES, compiler);
-    assert_int_equal(pclose(compiler), 0);
-    return bytes;
-}
-
 static struct policy judge(const char *source, const char *flags)
 {
     struct policy policy;
-    size_t bytes = preprocess(source, flags);
-    policy_check(text, bytes, NULL, &policy);
+    size_t bytes = preprocessed_make(source, flags);
+    policy_check(preprocessed_text, bytes, NULL, &policy);
     return policy;
 }
 
@@ -298,7 +271,7 @@ static void forged_lines_are_refused(void **state)
                    "# 2 \"main.c\" 2\n",
                    "");
     assert_string_equal(policy.refusal.cause, "forbidden-attribute");
-    write_file("own.h", "#pragma GCC system_header\nint z; __asm__(\"nop\");\n");
+    preprocessed_write("own.h", "#pragma GCC system_header\nint z; __asm__(\"nop\");\n");
     policy = judge("#include \"own.h\"\nint x;\n", "");
     assert_string_equal(policy.refusal.cause, "inline-assembly");
     assert_string_equal(policy.file, "own.h");
@@ -307,16 +280,16 @@ static void forged_lines_are_refused(void **state)
 static void includes_stay_inside(void **state)
 {
     (void)state;
-    write_file("own.h", "int own;\n");
+    preprocessed_write("own.h", "int own;\n");
     expect("#include \"own.h\"\n#include \"./own.h\"\n", "", 0);
     char source[200], outside[64], name[64];
-    snprintf(outside, sizeof outside, "%s/own.h", folder);
+    snprintf(outside, sizeof outside, "%s/own.h", preprocessed_folder);
     snprintf(source, sizeof source, "#include \"%s\"\n", outside);
     struct policy policy = judge(source, "");
     assert_string_equal(policy.refusal.cause, "forbidden-include");
-    policy_check(text, preprocess(source, ""), folder, &policy);
+    policy_check(preprocessed_text, preprocessed_make(source, ""), preprocessed_folder, &policy);
     assert_string_equal(policy.refusal.cause, "");
-    snprintf(name, sizeof name, "../%s/own.h", strrchr(folder, '/') + 1);
+    snprintf(name, sizeof name, "../%s/own.h", strrchr(preprocessed_folder, '/') + 1);
     snprintf(source, sizeof source, "#include \"%s\"\n", name);
     policy = judge(source, "");
     assert_string_equal(policy.refusal.cause, "forbidden-include");
@@ -328,7 +301,7 @@ static void includes_stay_inside(void **state)
                                            "int f(void) __asm__(\"hidden\");\n"};
     for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++)
         for (size_t j = 0; j < sizeof contents / sizeof contents[0]; j++) {
-            write_file("own.h", contents[j]);
+            preprocessed_write("own.h", contents[j]);
             snprintf(source, sizeof source, "#include <%s%s>\n", ways[i], outside);
             policy = judge(source, "");
             assert_string_equal(policy.refusal.cause, "forbidden-include");
@@ -380,25 +353,6 @@ static void anything_is_survived(void **state)
     assert_string_equal(policy.refusal.cause, "inline-assembly");
 }
 
-static int set_up(void **state)
-{
-    (void)state;
-    text = malloc(TEXT_BYTES);
-    return text && mkdtemp(folder) ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    char path[128];
-    snprintf(path, sizeof path, "%s/main.c", folder);
-    unlink(path);
-    snprintf(path, sizeof path, "%s/own.h", folder);
-    unlink(path);
-    free(text);
-    return rmdir(folder);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -415,5 +369,5 @@ int main(void)
         cmocka_unit_test(other_directives_are_refused),
         cmocka_unit_test(markers_in_the_source_are_refused),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, preprocessed_set_up, preprocessed_tear_down);
 }
