@@ -112,10 +112,16 @@ include tests/tests.mk
 include tests/checks.mk
 
 # ---------------------------------------------------------------- the demonstration
+# Enough to see each kind of exercise and of report.
+DEMO_EXERCISES := edge-table-any edge-table-closed memory-indexed-grid memory-strips memory-voxels-vs-mesh \
+  mesh-area winged-edge-build euler-closed-mesh
+demo: EXERCISES := $(DEMO_EXERCISES)
 demo: all ## grade a class of real submissions; the report is build/demo/index.html
-	@tests/demo-class.sh build/demo-class
-	@code=0; build/meshgrade grade build/demo-class/folders build/demo-class/*.zip build/demo-class/*.tar.gz \
-	  -o build/demo --seed 2026 || code=$$?; [ $$code -le 1 ]
+demo-all: all ## the same class on every exercise; the report is build/demo-all/index.html
+demo demo-all:
+	@tests/demo-class.sh build/$@-class $(EXERCISES)
+	@code=0; build/meshgrade grade build/$@-class/folders build/$@-class/*.zip build/$@-class/*.tar.gz \
+	  -o build/$@ --seed 2026 || code=$$?; [ $$code -le 1 ]
 
 bench-grader: all ## what a verdict costs, and where the time goes
 	@tests/bench-grader.sh
@@ -130,5 +136,5 @@ help: ## this list
 	@echo "make [goal] [config=release|debug|asan|coverage]"
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1\t\2/p' $(filter-out %.d,$(MAKEFILE_LIST)) | expand -t 18
 
-.PHONY: all peers unit test validate demo bench-grader growth pace stability lint format fuzz replays deps clean help
+.PHONY: all peers unit test validate demo demo-all bench-grader growth pace stability lint format fuzz replays deps clean help
 -include $(shell find build -name '*.d' 2>/dev/null)

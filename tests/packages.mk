@@ -30,7 +30,7 @@ endif
 ifneq ($(filter coverage,$(MAKECMDGOALS)),)
 PACKAGES += $(TEST_PACKAGES) $(COVERAGE_PACKAGES)
 endif
-SELF_PREPARING := deps demo test unit validate lint format fuzz stability bench-grader growth pace
+SELF_PREPARING := deps demo demo-all test unit validate lint format fuzz stability bench-grader growth pace
 SELF_PREPARING += mutants faults fuzz-afl coverage peers hostile box-cost
 
 # These goals install what they lack. Make includes build/deps.mk, finds that it must be made, makes

@@ -14,38 +14,38 @@
 enum { DEPTH_MAX = 16, ENTRIES_MAX = 4096, BLOCK_BYTES = 512 };
 static const int64_t TOO_MUCH = INT64_MAX / 4;
 
-struct survey {
+struct tally {
     int64_t bytes;
     int entries;
 };
 
-static void add_folder(struct survey *survey, int above, const char *name, int depth);
+static void add_folder(struct tally *tally, int above, const char *name, int depth);
 
-static void add_entry(struct survey *survey, int folder, const char *name, int depth)
+static void add_entry(struct tally *tally, int folder, const char *name, int depth)
 {
     struct stat about;
-    if (++survey->entries > ENTRIES_MAX)
-        survey->bytes = TOO_MUCH;
-    if (survey->bytes >= TOO_MUCH || fstatat(folder, name, &about, AT_SYMLINK_NOFOLLOW) != 0)
+    if (++tally->entries > ENTRIES_MAX)
+        tally->bytes = TOO_MUCH;
+    if (tally->bytes >= TOO_MUCH || fstatat(folder, name, &about, AT_SYMLINK_NOFOLLOW) != 0)
         return;
-    survey->bytes += about.st_blocks * (int64_t)BLOCK_BYTES;
+    tally->bytes += about.st_blocks * (int64_t)BLOCK_BYTES;
     if (S_ISDIR(about.st_mode))
-        add_folder(survey, folder, name, depth + 1);
+        add_folder(tally, folder, name, depth + 1);
 }
 
 /* A folder that was closed to us hides what is in it. */
-static void add_folder(struct survey *survey, int above, const char *name, int depth)
+static void add_folder(struct tally *tally, int above, const char *name, int depth)
 {
     int fd = openat(above, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (depth > DEPTH_MAX || (fd < 0 && errno == EACCES))
-        survey->bytes = TOO_MUCH;
+        tally->bytes = TOO_MUCH;
     DIR *entries = fd >= 0 ? fdopendir(fd) : NULL;
     struct dirent *entry;
     if (fd >= 0 && !entries)
         close(fd);
-    while (entries && survey->bytes < TOO_MUCH && (entry = readdir(entries)))
+    while (entries && tally->bytes < TOO_MUCH && (entry = readdir(entries)))
         if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0)
-            add_entry(survey, fd, entry->d_name, depth);
+            add_entry(tally, fd, entry->d_name, depth);
     if (entries)
         closedir(entries);
 }
@@ -61,8 +61,8 @@ static int64_t written_bytes(const struct box *box)
 
 int64_t disk_bytes(const struct box *box)
 {
-    struct survey survey = {0, 0};
-    add_folder(&survey, box->work_fd, ".", 0);
+    struct tally tally = {0, 0};
+    add_folder(&tally, box->work_fd, ".", 0);
     int64_t written = box->profile == BOX_TOOLS ? written_bytes(box) : 0;
-    return written > survey.bytes ? written : survey.bytes;
+    return written > tally.bytes ? written : tally.bytes;
 }

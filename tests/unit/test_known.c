@@ -1,6 +1,7 @@
 /* Known-verdict submissions: changes are applied exactly or refused in a line that says what to do,
  * and a folder of them is read whole. */
 #include "graders/engine/base/files.h"
+#include "graders/engine/run/trial.h"
 #include "graders/known/change.h"
 #include "graders/known/submissions.h"
 
@@ -318,9 +319,37 @@ static void poor_answers_have_a_folder(void **state)
     assert_string_equal(expected.verdict, "poor-quality");
 }
 
+static unsigned left_out(const char *kind, const char *comment)
+{
+    struct expectation expected;
+    struct error err = {""};
+    assert_int_equal(expectation_read(kind, "a.c", comment, &expected, &err), 0);
+    return expectation_left_out(&expected);
+}
+
+static void in_brief_what_decides_is_run(void **state)
+{
+    const unsigned undefined = 1u << STAGE_UNDEFINED_BEHAVIOUR, memory = 1u << STAGE_MEMORY;
+    const unsigned refusals = 1u << STAGE_ALLOCATION_FAILURE, growth = 1u << STAGE_GROWTH;
+    (void)state;
+    assert_int_equal(TRIAL_CHECKS, undefined | refusals | memory | growth);
+    assert_int_equal(left_out("right", "/* fast */"), 0);
+    assert_int_equal(left_out("hostile", "/* expect: flagged */"), 0);
+    assert_int_equal(left_out("wrong", "/* slips */"), TRIAL_CHECKS);
+    assert_int_equal(left_out("wrong", "/* fails: open, leak */"), TRIAL_CHECKS);
+    assert_int_equal(left_out("wrong", "/* fails: open, growth */"), TRIAL_CHECKS & ~growth);
+    assert_int_equal(left_out("slow", "/* scans */"), TRIAL_CHECKS & ~growth);
+    assert_int_equal(left_out("greedy", "/* copies */"), TRIAL_CHECKS & ~memory);
+    assert_int_equal(left_out("crash", "/* fails: allocation-failure */"),
+                     TRIAL_CHECKS & ~refusals);
+    assert_int_equal(left_out("hostile", "/* expect: undefined-behaviour */"),
+                     TRIAL_CHECKS & ~undefined);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(in_brief_what_decides_is_run),
         cmocka_unit_test(a_line_is_replaced),
         cmocka_unit_test(places_are_changed_in_order),
         cmocka_unit_test(lines_that_stand_twice_are_refused),
